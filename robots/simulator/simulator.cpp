@@ -14,7 +14,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kLink = 0x117c;  // random stream
+constexpr std::uint64_t kLink = 0x117c;  // random stream of dropped frames
 
 CameraModel camera_of(const SimulatorParameters& parameters, const CameraOptics& optics) {
   const int width = parameters.width / 2 * 2;
@@ -30,7 +30,7 @@ CameraModel camera_of(const SimulatorParameters& parameters, const CameraOptics&
   return camera;
 }
 
-/// As it really is: with what the calibration of its cameras missed.
+/// The true body, with the errors that the calibration of its cameras does not contain.
 RobotBody with_tilt_error(RobotBody body, const SimulatorParameters& parameters, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0x7117;
   Random random(seed, kStream);
@@ -42,11 +42,12 @@ RobotBody with_tilt_error(RobotBody body, const SimulatorParameters& parameters,
 RobotBody as_built(RobotBody body, const SimulatorParameters& parameters) {
   if (!parameters.body.foot_sensors) body.standing_load.reset();
   if (parameters.cameras == Cameras::both && !body.lower_camera)
-    throw std::runtime_error("a " + body.name + " has one camera only; leave --cameras both out");
+    throw std::runtime_error("simulator.cameras: expected upper, because a " + body.name +
+                             " has one camera, found both");
   return body;
 }
 
-/// Throws where the carpet is larger than the floor.
+/// Throws if the carpet is larger than the floor.
 const Room& checked(const Room& room, const FieldDimensions& field) {
   const Eigen::Vector2d carpet = 2.0 * carpet_half_size(field);
   const Eigen::Vector2d floor = floor_extent(room.shape);
@@ -54,9 +55,9 @@ const Room& checked(const Room& room, const FieldDimensions& field) {
       room.shape.form == RoomForm::box ? (carpet.array() <= floor.array()).all() : carpet.norm() <= floor.x();
   if (holds) return room;
   std::ostringstream message;
-  message << "a carpet of " << carpet.x() << " x " << carpet.y() << " m does not lie in a "
+  message << "room: expected space for a carpet of " << carpet.x() << " x " << carpet.y() << " m, found a "
           << (room.shape.form == RoomForm::box ? "room" : "round room") << " of " << floor.x() << " x " << floor.y()
-          << " m: give room_shape.length and room_shape.width with --set";
+          << " m; set room_shape.length and room_shape.width with --set";
   throw std::runtime_error(message.str());
 }
 
@@ -64,7 +65,7 @@ Eigen::Vector2d bounds_of(const Room& room) {
   constexpr double kFromWall = 0.4;  // m
   const Eigen::Vector2d half = 0.5 * floor_extent(room.shape);
   if (room.shape.form == RoomForm::box) return half - Eigen::Vector2d::Constant(kFromWall);
-  // The corners of a square inside of the round wall.
+  // A square inside the round wall.
   return Eigen::Vector2d::Constant((half.x() - kFromWall) * std::sqrt(0.5));
 }
 
@@ -88,7 +89,7 @@ Barrier barrier_of(const FurniturePiece& piece) {
   return {piece.center - half, piece.center + half, 0.5 * piece.depth};
 }
 
-/// How fast something turns, rad/s in its own frame; not at all where it was carried elsewhere in between.
+/// Angular velocity in the body's own frame, rad/s; zero after a jump, because then the operator moved the robot.
 Eigen::Vector3d angular_velocity_of(const Eigen::Matrix3d& before, const Eigen::Matrix3d& now, double time_step) {
   constexpr double kFastest = 20.0;  // rad/s
   const Eigen::Matrix3d turn = before.transpose() * now;
@@ -194,7 +195,7 @@ void Simulator::move() {
   for (int i = 1; i <= samples; ++i) {
     body_.advance(time_step / samples, request_, barriers_, bounds_);
     body_samples_.push_back(body_.sample(now - time_step * (samples - i) / samples));
-    // The lower camera is exposed a moment before the upper one, as two cameras of one robot are.
+    // The two cameras of a robot are not synchronized: the lower one is exposed shortly before the upper one.
     if (lower_ && (i == samples - 1 || samples == 1)) {
       lower_frame_ = moment(HeadCamera::lower, body_samples_.back());
       field_from_lower_ = body_.field_from_camera(HeadCamera::lower);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A humanoid on a field in a room, simulated a frame at a time: the same seed and the same requests give the same
-// bytes.
+// Simulates a humanoid on a field in a room, frame by frame. The same seed and the same requests give the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +44,7 @@ struct SimulatorParameters {
   int other_robots = 3;
   int spectators = 36;
   bool ball = true;
-  bool labels = false;  ///< whether labels() and depth() are kept; not a parameter of the program
+  bool labels = false;  ///< whether labels() and depth() are available; not a parameter of the program
   BodyParameters body;
   SensorParameters sensor;
   HallLightParameters light;
@@ -54,43 +53,43 @@ struct SimulatorParameters {
 
 template <typename Visit>
 void describe(SimulatorParameters& p, Visit&& visit) {
-  visit("cameras", p.cameras, {"upper", "both"}, "which cameras give images");
+  visit("cameras", p.cameras, {"upper", "both"}, "cameras that deliver images");
   visit("width", p.width, 80, 1280, "",
-        "pixels of a row of the images, made even; there are as many rows as the robot's camera asks for");
+        "width of the images in pixels, rounded down to an even number; the aspect ratio of the robot's camera sets "
+        "the height");
   visit("frame_rate", p.frame_rate, 1.0, 120.0, "Hz", "frames per second of simulated time");
-  visit("body_samples", p.body_samples, 1, 20, "", "how often joints and inertial unit are read in each frame");
+  visit("body_samples", p.body_samples, 1, 20, "", "number of samples of joints and inertial unit in each frame");
   visit("field_of_view_horizontal", p.field_of_view_horizontal, 0.35, 6.2, "rad",
-        "the cameras' field of view, left to right");
-  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 6.2, "rad",
-        "the cameras' field of view, top to bottom");
-  visit("distortion_k1", p.distortion_k1, -100.0, 100.0, "", "radial distortion of the camera, quadratic");
-  visit("distortion_k2", p.distortion_k2, -100.0, 100.0, "", "radial distortion of the camera, to the fourth power");
+        "horizontal field of view of the cameras");
+  visit("field_of_view_vertical", p.field_of_view_vertical, 0.25, 6.2, "rad", "vertical field of view of the cameras");
+  visit("distortion_k1", p.distortion_k1, -100.0, 100.0, "", "radial distortion of the cameras, quadratic term");
+  visit("distortion_k2", p.distortion_k2, -100.0, 100.0, "", "radial distortion of the cameras, term of fourth order");
   visit("tilt_error", p.tilt_error, 0.0, 0.1, "rad",
-        "standard deviation of the robot's own camera tilt that its calibration missed");
+        "standard deviation of the constant tilt error of the robot's cameras, which its calibration does not contain");
   visit("tilt_offset", p.tilt_offset, -0.2, 0.2, "rad",
-        "the same, not left to chance: how much lower the cameras look than the robot believes");
-  visit("dropped_frames", p.dropped_frames, 0.0, 0.95, "", "share of the images that never arrive");
-  visit("latency", p.latency, 0.0, 2.0, "s", "how long after its image an answer reaches the body");
-  visit("worn_lines", p.worn_lines, 0.0, 1.0, "", "share of the field's lines that is worn away, in patches");
-  visit("other_robots", p.other_robots, 0, 11, "", "how many other robots stroll about the field");
-  visit("spectators", p.spectators, 0, 300, "", "how many people stand around the field");
-  visit("ball", p.ball, "whether a ball lies on the field");
+        "angle by which the cameras point lower than the robot assumes, added to the random tilt error");
+  visit("dropped_frames", p.dropped_frames, 0.0, 0.95, "", "fraction of the images that are lost");
+  visit("latency", p.latency, 0.0, 2.0, "s", "delay from an image until the body carries out the request for it");
+  visit("worn_lines", p.worn_lines, 0.0, 1.0, "", "fraction of the field's lines that is missing, in patches");
+  visit("other_robots", p.other_robots, 0, 11, "", "number of other robots that walk on the field");
+  visit("spectators", p.spectators, 0, 300, "", "number of people around the field");
+  visit("ball", p.ball, "whether there is a ball on the field");
 }
 
-/// What a body's file says of them; the rest as it is.
+/// The defaults, with the values that a body's file sets.
 SimulatorParameters simulator_parameters_of(const RobotBody& body);
 
 class Simulator : public Robot, public Operator, public GroundTruthSource {
  public:
-  /// Throws std::runtime_error with one line where both cameras are asked for and the robot has one, where the field's
-  /// carpet is larger than the room, and where no camera can have these numbers (mistake_in()).
+  /// Throws std::runtime_error with one line if both cameras are requested and the robot has one, if the field's carpet
+  /// is larger than the room, or if the camera's parameters are invalid (mistake_in()).
   Simulator(const SimulatorParameters& parameters, const RobotBody& body, const FieldDimensions& field,
             const Room& room, const Pose2& start, std::uint64_t seed);
 
-  /// Moves the world on by one frame and looks at it. Never ends, never waits.
+  /// Advances the world by one frame and observes it. Never ends, never waits.
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
-  /// What the robot knows of itself.
+  /// The body as the robot assumes it, without calibration errors.
   const RobotBody& body() const { return robot_; }
   GroundTruth ground_truth() const { return body_.ground_truth(); }
   std::optional<GroundTruth> truth() const override { return ground_truth(); }
@@ -103,18 +102,18 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   void change_light() override;
   void put_ball(const Eigen::Vector2d& where) { ball_ = {where, Eigen::Vector2d::Zero()}; }  ///< m
 
-  /// What each pixel of the latest image shows, and how far away it is (m), row by row: along the optical axis, or
-  /// along the pixel's ray where the lens is not a pinhole. Empty unless SimulatorParameters::labels.
+  /// Label and depth (m) of each pixel of the latest image, row by row. Depth is along the optical axis, for a lens
+  /// other than a pinhole along the pixel's ray. Empty unless SimulatorParameters::labels.
   std::span<const Label> labels() const;
   std::span<const float> depth() const;
 
-  /// The pose that the latest image was really taken from.
+  /// True pose of the camera for the latest image.
   const Isometry3& field_from_camera() const { return field_from_camera_; }
   const std::vector<Player>& other_robots() const { return players_.all(); }
   const RollingBall& ball() const { return ball_; }
 
  private:
-  /// What takes the images of one camera.
+  /// Renderer and sensor of one camera.
   struct Eye {
     Eye(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool labels,
         const SimulatorParameters& parameters, std::uint64_t seed)
@@ -125,12 +124,12 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
     Renderer renderer;
     Sensor sensor;
     Image image;
-    std::optional<Eigen::Matrix3d> field_from_camera;  // the rotation of the image before
+    std::optional<Eigen::Matrix3d> field_from_camera;  // rotation at the previous image
   };
 
-  /// A request on its way to the body.
+  /// A request that latency delays.
   struct Waiting {
-    std::uint64_t from;  ///< frame in which the body obeys
+    std::uint64_t from;  ///< first frame in which the body carries it out
     Request request;
   };
 
@@ -146,12 +145,12 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   SimulatorParameters parameters_;
   FieldDimensions field_;
   Room room_;
-  Eigen::Vector2d bounds_;               // m, half sizes of where the robot can go
+  Eigen::Vector2d bounds_;               // m, half sizes of the area that the robot can reach
   std::vector<Barrier> fixed_barriers_;  // goals and furniture
-  std::vector<Barrier> barriers_;        // the same and other robots
+  std::vector<Barrier> barriers_;        // fixed_barriers_ and the other robots
 
   RobotBody robot_;
-  double size_;  // of it and the other robots, as share of a NAO's
+  double size_;  // of this robot and the others, relative to a NAO
   CameraModel camera_;
   Body body_;
   Players players_;
@@ -159,19 +158,19 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   Spectators spectators_;
   HallLight light_;
   Request request_;
-  std::vector<Waiting> waiting_;  // the oldest first
-  Random link_;                   // between cameras and program
+  std::vector<Waiting> waiting_;  // oldest first
+  Random link_;                   // of dropped frames
 
   Eye upper_;
   std::optional<Eye> lower_;
   CameraPairing pairing_;
-  std::optional<CameraFrame> lower_frame_;  // as it is going to be exposed
+  std::optional<CameraFrame> lower_frame_;  // not yet exposed
   Isometry3 field_from_lower_ = Isometry3::Identity();
   Scene scene_;
-  std::size_t standing_capsules_ = 0;  // of the goals, at the front of scene_
+  std::size_t standing_capsules_ = 0;  // number of capsules that do not move: the first ones of scene_
   std::size_t standing_shadows_ = 0;
   Isometry3 field_from_camera_ = Isometry3::Identity();
-  std::vector<BodySample> body_samples_;  // since the frame before
+  std::vector<BodySample> body_samples_;  // since the previous frame
   std::uint64_t frame_ = 0;
 };
 

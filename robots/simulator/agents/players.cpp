@@ -40,7 +40,7 @@ Eigen::Vector2d Players::somewhere() {
 
 bool Players::barred(const Player& player, const Eigen::Vector2d& next, const Eigen::Vector2d& robot,
                      std::span<const Barrier> barriers) const {
-  constexpr double kPersonalSpace = 0.45;  // m between the middles of two robots
+  constexpr double kPersonalSpace = 0.45;  // m between the centers of two robots
   const auto closing = [&](const Eigen::Vector2d& other) {
     const double now = (player.pose.position - other).norm();
     const double then = (next - other).norm();

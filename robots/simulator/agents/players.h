@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The other robots on the field: they stroll from place to place, go round nobody, and wait where the way is barred.
+// The other robots on the field. They walk to random goals in straight lines and wait while something is in the way.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace reorient {
 
 struct Player {
   Pose2 pose;
-  Eigen::Vector2d goal = Eigen::Vector2d::Zero();  ///< where it is going, m
+  Eigen::Vector2d goal = Eigen::Vector2d::Zero();  ///< m
   double stride = 0.0;                             ///< rad, phase of its steps
-  double wait = 0.0;                               ///< s that it still stands
+  double wait = 0.0;                               ///< s until it walks again
   int team = 0;                                    ///< 0 or 1
 };
 
@@ -25,7 +25,7 @@ class Players {
  public:
   Players(int count, const FieldDimensions& field, const Eigen::Vector2d& keep_clear_of, std::uint64_t seed);
 
-  /// Moves on by `time_step` seconds. Nobody walks into `robot` (m) or into the barriers.
+  /// Advances by `time_step` seconds. No player walks into `robot` (m) or into the barriers.
   void advance(double time_step, const Eigen::Vector2d& robot, std::span<const Barrier> barriers);
 
   const std::vector<Player>& all() const { return players_; }

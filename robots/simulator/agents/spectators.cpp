@@ -24,18 +24,18 @@ Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& 
                        std::uint64_t seed)
     : room_(room), field_(field), light_(light), comers_(seed, 0xc03e25) {
   Random random(seed, 0x9e091e);
-  // In a symmetric room each of them stands on both sides.
+  // In a symmetric room each person also stands on the opposite side.
   const int places = room_.symmetry == RoomSymmetry::none ? count : count / 2;
   for (int i = 0; i < places; ++i) {
-    if (const auto spectator = somebody(random)) spectators_.push_back(*spectator);
+    if (const auto spectator = draw_spectator(random)) spectators_.push_back(*spectator);
   }
 }
 
-std::optional<Spectators::Spectator> Spectators::somebody(Random& random) const {
+std::optional<Spectators::Spectator> Spectators::draw_spectator(Random& random) const {
   constexpr double kFromCarpet = 0.4;  // m
   constexpr double kFromWall = 0.5;    // m
   const Eigen::Vector2d carpet = carpet_half_size(field_) + Eigen::Vector2d::Constant(kFromCarpet);
-  // A place between the carpet and the wall, anywhere along the wall.
+  // A position between the carpet and the wall, anywhere along the wall.
   const Eigen::Vector2d wall = wall_point(room_, random.uniform(0.0, wall_perimeter(room_)));
   const double inner =
       std::min({1.0, carpet.x() / std::max(std::abs(wall.x()), 1e-6), carpet.y() / std::max(std::abs(wall.y()), 1e-6)});
@@ -62,7 +62,7 @@ void Spectators::exchange(double probability) {
   if (probability <= 0.0) return;
   for (Spectator& spectator : spectators_) {
     if (comers_.uniform() >= probability) continue;
-    if (const auto comer = somebody(comers_)) spectator = *comer;
+    if (const auto comer = draw_spectator(comers_)) spectator = *comer;
   }
 }
 

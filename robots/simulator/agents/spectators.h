@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The people around the field. They shift their weight, a few stroll up and down, and all of them are in the way of the
-// walls behind them, as at a tournament. In a room that looks the same after half a turn they do, too.
+// The people around the field. They sway, a few walk up and down, and all of them hide parts of the walls behind them.
+// In a symmetric room each person has a twin on the other side.
 #pragma once
 
 #include <cstdint>
@@ -19,30 +19,30 @@ class Spectators {
   Spectators(int count, const RoomShape& room, const FieldDimensions& field, const LinearColor& light,
              std::uint64_t seed);
 
-  /// Each one leaves with this probability, and somebody else comes to another place.
+  /// Replaces each person with this probability by a new person at another position.
   void exchange(double probability);
 
-  /// Adds everybody as they stand at a time (s).
+  /// Adds all people in their positions at a time (s).
   void add_to(Scene& scene, double time) const;
 
  private:
   struct Spectator {
     Eigen::Vector2d place;
-    Eigen::Vector2d stroll;  // m, the farthest way from the place; zero for most
+    Eigen::Vector2d stroll;  // m, farthest offset from `place`; zero for most
     double height;           // m
     double phase;            // rad
     double pace;             // rad/s
-    double restless;         // m, how far the head moves to the sides
+    double restless;         // m, amplitude of the head's motion to the sides
     PersonLook look;
   };
 
-  /// Nobody, where the place that was drawn is too narrow.
-  std::optional<Spectator> somebody(Random& random) const;
+  /// Empty if there is too little space at the position that was drawn.
+  std::optional<Spectator> draw_spectator(Random& random) const;
 
   RoomShape room_;
   FieldDimensions field_;
   LinearColor light_;
-  Random comers_;  // those who come later
+  Random comers_;  // for new people in exchange()
   std::vector<Spectator> spectators_;
 };
 

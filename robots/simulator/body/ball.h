@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball: pushed by feet, slowed down by the carpet.
+// The ball: robots push it, and the friction of the carpet slows it down.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ struct RollingBall {
   Eigen::Vector2d position{0.0, 0.0};  ///< m
   Eigen::Vector2d velocity{0.0, 0.0};  ///< m/s
 
-  /// Moves on by `time_step` seconds, inside of `bounds` (half sizes of the carpet, m).
+  /// Advances by `time_step` seconds, within `bounds` (half sizes of the carpet, m).
   void advance(double time_step, const Eigen::Vector2d& bounds) {
     constexpr double kFriction = 0.35;  // m/s^2
     const double speed = velocity.norm();
@@ -25,9 +25,9 @@ struct RollingBall {
     }
   }
 
-  /// A robot in the way pushes the ball in front of it.
+  /// Lets a robot that touches the ball push it away.
   void touch(const Eigen::Vector2d& robot) {
-    constexpr double kReach = 0.2;  // m between the robot's middle and the ball's
+    constexpr double kReach = 0.2;  // m between the centers of robot and ball
     constexpr double kPush = 0.45;  // m/s
     const Eigen::Vector2d apart = position - robot;
     const double distance = apart.norm();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a robot cannot walk through.
+// Obstacles that a robot cannot walk through.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace reorient {
 
-/// Everything on the ground within `radius` of a straight line; a post where both ends are the same. Metres.
+/// Everything on the ground within `radius` of a line segment; a post if both ends are the same. Meters.
 struct Barrier {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
   double radius = 0.05;
 };
 
-/// The shortest way from the barrier's surface to a point: metres and a unit vector away from the barrier.
+/// Distance of a point from the barrier's surface, m, and the unit vector that points away from the barrier.
 struct Clearance {
   double distance = 0.0;  ///< negative inside
   Eigen::Vector2d away = Eigen::Vector2d::UnitX();

@@ -76,7 +76,7 @@ void Body::pick_up() {
   hands_.lower_time = parameters_.lower_time * random_.uniform(0.7, 1.5);
   hands_.sway = random_.uniform(0.5, 1.3);
   hands_.pace = random_.uniform(0.7, 1.3);
-  if (is_upright) return;  // hands end the sway of a walk at once
+  if (is_upright) return;  // a lift ends the sway of the walk at once
   hands_.below = robot_.dimensions.torso_height - torso_height_;
   hands_.tilt = torso_;
 }
@@ -90,7 +90,7 @@ void Body::put_down(const Pose2& where) {
   hands_.held_at = torso_height_;
 }
 
-/// The feet are on the ground.
+/// Ends the lift: the feet are on the ground.
 void Body::set_down() {
   posture_ = Posture::upright;
   since_ = 0.0;
@@ -105,7 +105,7 @@ void Body::push_over() {
   posture_ = Posture::falling;
   since_ = 0.0;
   velocity_ = {};
-  // On its face, on its back, or now and then on a side.
+  // On its face, on its back, or sometimes on a side.
   constexpr double kDown = 1.52;
   const double way = random_.uniform();
   if (way < 0.4) {
@@ -119,25 +119,26 @@ void Body::push_over() {
 
 void Body::move_head(double time_step, const Request& request) {
   if (!request.head) return;
-  const double wanted_speed = finite(request.head->speed);
-  const double most = std::clamp(wanted_speed, 0.0, parameters_.head_speed_limit) * time_step;
-  const HeadAngles wanted = robot_.neck.clamp({finite(request.head->angles.yaw), finite(request.head->angles.pitch)});
-  head_ = robot_.neck.clamp({toward(head_.yaw, wanted.yaw, most), toward(head_.pitch, wanted.pitch, most)});
+  const double requested_speed = finite(request.head->speed);
+  const double most = std::clamp(requested_speed, 0.0, parameters_.head_speed_limit) * time_step;
+  const HeadAngles requested =
+      robot_.neck.clamp({finite(request.head->angles.yaw), finite(request.head->angles.pitch)});
+  head_ = robot_.neck.clamp({toward(head_.yaw, requested.yaw, most), toward(head_.pitch, requested.pitch, most)});
 }
 
 void Body::walk(double time_step, const Request& request) {
   if (posture_ != Posture::upright) return;
-  WalkVelocity wanted;
+  WalkVelocity requested;
   if (!penalized_) {
-    wanted.forward = std::clamp(finite(request.walk.forward), -parameters_.forward_limit, parameters_.forward_limit);
-    wanted.left = std::clamp(finite(request.walk.left), -parameters_.left_limit, parameters_.left_limit);
-    wanted.turn = std::clamp(finite(request.walk.turn), -parameters_.turn_limit, parameters_.turn_limit);
+    requested.forward = std::clamp(finite(request.walk.forward), -parameters_.forward_limit, parameters_.forward_limit);
+    requested.left = std::clamp(finite(request.walk.left), -parameters_.left_limit, parameters_.left_limit);
+    requested.turn = std::clamp(finite(request.walk.turn), -parameters_.turn_limit, parameters_.turn_limit);
   }
-  velocity_.forward = toward(velocity_.forward, wanted.forward, parameters_.acceleration * time_step);
-  velocity_.left = toward(velocity_.left, wanted.left, parameters_.acceleration * time_step);
-  velocity_.turn = toward(velocity_.turn, wanted.turn, parameters_.turn_acceleration * time_step);
+  velocity_.forward = toward(velocity_.forward, requested.forward, parameters_.acceleration * time_step);
+  velocity_.left = toward(velocity_.left, requested.left, parameters_.acceleration * time_step);
+  velocity_.turn = toward(velocity_.turn, requested.turn, parameters_.turn_acceleration * time_step);
 
-  // Along the arc: half of the turn before the way, half after it.
+  // Along the arc: half of the turn before the translation, half after it.
   const double turn = velocity_.turn * time_step;
   const Eigen::Vector2d way = rotated({velocity_.forward * time_step, velocity_.left * time_step}, 0.5 * turn);
   const Pose2 step(way, turn);
@@ -171,7 +172,7 @@ void Body::balance(double time_step, bool get_up) {
   const double stand = robot_.dimensions.torso_height;
   switch (posture_) {
     case Posture::upright: {
-      // Feet push the torso from side to side once per double step; it nods and sinks with every step.
+      // The torso rolls once per double step, and pitches and sinks with each step.
       torso_ = {parameters_.sway_roll * effort_ * pinned::sin(gait_),
                 parameters_.sway_pitch * effort_ * pinned::sin(2.0 * gait_ + 0.8)};
       torso_height_ = stand - parameters_.sway_height * effort_ * (1.0 + pinned::cos(2.0 * gait_));
@@ -204,7 +205,7 @@ void Body::balance(double time_step, bool get_up) {
     }
     case Posture::carried: {
       const double t = hands_.pace * since_;
-      const double held = hands_.sway * ease(2.0 * since_);  // nobody tilts it at once
+      const double held = hands_.sway * ease(2.0 * since_);  // the operator tilts it gradually
       const double raised = ease(since_ / hands_.raise_time);
       torso_ = {held * (0.12 * pinned::sin(1.9 * t) + 0.04 * pinned::sin(4.3 * t)) + (1.0 - raised) * hands_.tilt.roll,
                 held * 0.15 * pinned::sin(1.3 * t + 0.6) + (1.0 - raised) * hands_.tilt.pitch};
@@ -222,7 +223,7 @@ void Body::balance(double time_step, bool get_up) {
   }
 }
 
-/// What an inertial unit in the torso goes through.
+/// Computes acceleration and angular velocity of the inertial unit in the torso.
 void Body::feel(double time_step) {
   const Moment now{{pose_.position.x(), pose_.position.y(), torso_height_}, torso_, pose_.rotation};
   acceleration_.setZero();
@@ -250,7 +251,7 @@ void Body::collide(std::span<const Barrier> barriers, const Eigen::Vector2d& bou
     const Clearance clear = clearance(barrier, pose_.position);
     const double deep = kRadius - clear.distance;
     if (deep <= 0.0) continue;
-    // What is left of the step slides along. The feet go on walking, and so does the odometry.
+    // The robot slides along the barrier by the rest of the step. The feet continue to walk, so the odometry does, too.
     pose_.position += deep * clear.away;
   }
   pose_.position = pose_.position.cwiseMax(-bounds).cwiseMin(bounds);
@@ -283,7 +284,7 @@ BodySample Body::sample(double time) {
 }
 
 Isometry3 Body::measured_camera(const RobotDimensions& dimensions, const BodySample& body, HeadCamera camera) const {
-  // The legs' kinematics know nothing of a fall or of hands that hold the robot.
+  // The legs' kinematics do not contain falls or lifts.
   const double torso_height = posture_ == Posture::upright ? torso_height_ : robot_.dimensions.torso_height;
   return robot_from_camera(dimensions, body.head, body.torso, torso_height, camera);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulated robot's body: a kinematic walk with limits, a head with limits, a torso that sways, and what its
-// sensors make of all that. It can fall, get up, and be carried about.
+// The simulated robot's body: a kinematic walk and a head with limits, a torso that sways, and the sensors that measure
+// their motion. It can fall, get up, and be lifted and placed by the operator.
 #pragma once
 
 #include <cstdint>
@@ -50,56 +50,59 @@ struct BodyParameters {
 
 template <typename Visit>
 void describe(BodyParameters& p, Visit&& visit) {
-  visit("forward_limit", p.forward_limit, 0.0, 1.0, "m/s", "fastest walk forward and backward");
-  visit("left_limit", p.left_limit, 0.0, 1.0, "m/s", "fastest walk sideways");
-  visit("turn_limit", p.turn_limit, 0.0, 3.0, "rad/s", "fastest turn");
-  visit("acceleration", p.acceleration, 0.05, 5.0, "m/s^2", "change of the walking velocity");
-  visit("turn_acceleration", p.turn_acceleration, 0.1, 20.0, "rad/s^2", "change of the turning velocity");
-  visit("head_speed_limit", p.head_speed_limit, 0.1, 20.0, "rad/s", "what the head's motors can do");
-  visit("step_frequency", p.step_frequency, 0.5, 5.0, "Hz", "double steps per second");
+  visit("forward_limit", p.forward_limit, 0.0, 1.0, "m/s", "highest walking speed forward and backward");
+  visit("left_limit", p.left_limit, 0.0, 1.0, "m/s", "highest walking speed to the sides");
+  visit("turn_limit", p.turn_limit, 0.0, 3.0, "rad/s", "highest turning speed of the walk");
+  visit("acceleration", p.acceleration, 0.05, 5.0, "m/s^2", "highest rate of change of the walking velocity");
+  visit("turn_acceleration", p.turn_acceleration, 0.1, 20.0, "rad/s^2",
+        "highest rate of change of the turning velocity");
+  visit("head_speed_limit", p.head_speed_limit, 0.1, 20.0, "rad/s", "highest speed of the head's joints");
+  visit("step_frequency", p.step_frequency, 0.5, 5.0, "Hz", "double steps per second of the walk");
   visit("sway_roll", p.sway_roll, 0.0, 0.3, "rad", "amplitude of the torso's roll at full walking speed");
   visit("sway_pitch", p.sway_pitch, 0.0, 0.3, "rad", "amplitude of the torso's pitch at full walking speed");
   visit("sway_height", p.sway_height, 0.0, 0.05, "m", "amplitude of the torso's height at full walking speed");
   visit("odometry_scale_error", p.odometry_scale_error, 0.0, 0.5, "",
-        "standard deviation of the robot's own scale errors");
+        "standard deviation of the constant scale errors of the robot's odometry");
   visit("odometry_turn_bias", p.odometry_turn_bias, 0.0, 0.5, "rad/m",
-        "standard deviation of the robot's drift to one side");
-  visit("odometry_noise", p.odometry_noise, 0.0, 0.5, "m^0.5", "random error after a metre, and per radian in rad");
+        "standard deviation of the constant rotation drift of the robot's odometry for each meter");
+  visit("odometry_noise", p.odometry_noise, 0.0, 0.5, "m^0.5",
+        "standard deviation of the odometry's random error after 1 m, and after 1 rad in rad");
   visit("head_noise", p.head_noise, 0.0, 0.1, "rad", "standard deviation of the measured head angles");
   visit("attitude_noise", p.attitude_noise, 0.0, 0.1, "rad", "standard deviation of the measured torso attitude");
-  visit("attitude_bias", p.attitude_bias, 0.0, 0.1, "rad",
-        "standard deviation of the robot's own constant attitude error");
+  visit("attitude_bias", p.attitude_bias, 0.0, 0.1, "rad", "standard deviation of the robot's constant attitude error");
   visit("roll_offset", p.roll_offset, -0.2, 0.2, "rad",
-        "the same, not left to chance: how much more roll than is true the inertial unit measures");
-  visit("pitch_offset", p.pitch_offset, -0.2, 0.2, "rad", "how much more pitch it measures");
-  visit("fall_time", p.fall_time, 0.1, 5.0, "s", "from upright to lying");
-  visit("get_up_time", p.get_up_time, 0.5, 30.0, "s", "from lying to standing");
+        "constant error that the inertial unit adds to the roll, besides the random bias");
+  visit("pitch_offset", p.pitch_offset, -0.2, 0.2, "rad",
+        "constant error that the inertial unit adds to the pitch, besides the random bias");
+  visit("fall_time", p.fall_time, 0.1, 5.0, "s", "duration of a fall, from upright to lying");
+  visit("get_up_time", p.get_up_time, 0.5, 30.0, "s", "duration of getting up, from lying to standing");
   visit("get_up_slip", p.get_up_slip, 0.0, 3.2, "rad",
-        "standard deviation of the turn that nobody measures while getting up");
-  visit("carry_height", p.carry_height, 0.0, 1.5, "m", "how high a robot is held, on average");
-  visit("lower_time", p.lower_time, 0.0, 5.0, "s", "how long it takes to put it down, on average");
-  visit("foot_sensors", p.foot_sensors, "whether its feet feel their load");
-  visit("gyroscope_noise", p.gyroscope_noise, 0.0, 1.0, "rad/s", "standard deviation of the measured turn rates");
+        "standard deviation of the rotation while getting up, which the odometry does not measure");
+  visit("carry_height", p.carry_height, 0.0, 1.5, "m", "mean height at which the operator holds a lifted robot");
+  visit("lower_time", p.lower_time, 0.0, 5.0, "s", "mean time in which the operator lowers the robot to the ground");
+  visit("foot_sensors", p.foot_sensors, "whether the feet have pressure sensors");
+  visit("gyroscope_noise", p.gyroscope_noise, 0.0, 1.0, "rad/s",
+        "standard deviation of the measured angular velocities");
   visit("accelerometer_noise", p.accelerometer_noise, 0.0, 10.0, "m/s^2",
         "standard deviation of the measured accelerations");
   visit("accelerometer_bias", p.accelerometer_bias, 0.0, 2.0, "m/s^2",
-        "standard deviation of the robot's own constant errors of acceleration");
+        "standard deviation of the robot's constant errors of the measured accelerations");
   visit("step_shock", p.step_shock, 0.0, 20.0, "m/s^2",
-        "standard deviation of what steps at full speed add to the accelerations");
+        "standard deviation of the accelerations that steps at full walking speed add");
 }
 
-/// What a body's file says of them; the rest as it is.
+/// The defaults, with the values that a body's file sets.
 BodyParameters body_parameters_of(const RobotBody& body);
 
 class Body {
  public:
   enum class Posture { upright, falling, lying, getting_up, carried };
 
-  /// `robot`: as it really is, with what its calibration missed.
+  /// `robot`: the true body, with the errors that its calibration does not contain.
   Body(const BodyParameters& parameters, const RobotBody& robot, const Pose2& start, std::uint64_t seed);
 
-  /// Moves on by `time_step` seconds. Barriers stop the robot or make it slide along; `bounds` (half sizes of the
-  /// ground, m) hold it.
+  /// Advances by `time_step` seconds. At a barrier the robot stops or slides along it. It stays within `bounds` (half
+  /// sizes of the ground, m).
   void advance(double time_step, const Request& request, std::span<const Barrier> barriers,
                const Eigen::Vector2d& bounds);
 
@@ -108,10 +111,10 @@ class Body {
   void push_over();
   void penalize(bool penalized) { penalized_ = penalized; }
 
-  /// What the robot feels at `time`. Call it after each advance(): accelerations are differences.
+  /// The robot's measurements at `time`. Call it after each advance(), because accelerations are differences.
   BodySample sample(double time);
   const Pose2& odometry() const { return odometry_; }
-  /// Where the robot believes its camera to be, in its own frame; `dimensions` as it believes them.
+  /// The camera's pose in the robot's frame, as the robot computes it from measured joints and its own `dimensions`.
   Isometry3 measured_camera(const RobotDimensions& dimensions, const BodySample& body,
                             HeadCamera camera = HeadCamera::upper) const;
 
@@ -120,7 +123,7 @@ class Body {
   const Pose2& pose() const { return pose_; }
   const HeadAngles& head() const { return head_; }
   const TorsoAttitude& torso() const { return torso_; }
-  double torso_height() const { return torso_height_; }  ///< m above the ground; more while it is carried
+  double torso_height() const { return torso_height_; }  ///< m above the ground
   const WalkVelocity& velocity() const { return velocity_; }
 
   Isometry3 field_from_camera(HeadCamera camera = HeadCamera::upper) const;
@@ -149,24 +152,24 @@ class Body {
 
   Posture posture_ = Posture::upright;
   double since_ = 0.0;  // s in this posture
-  /// How somebody carries it: no two do so in the same way.
+  /// How the operator holds the robot, drawn at random for each lift.
   struct Hands {
     double height = 0.0;          // m
     double raise_time = 0.8;      // s
     double lower_time = 0.6;      // s
-    double sway = 1.0;            // of the amplitudes
-    double pace = 1.0;            // of the frequencies
-    double lowered_since = -1.0;  // s in this posture when it began to be put down; negative: not yet
-    double held_at = 0.0;         // m, the height from which it is put down
-    double below = 0.0;           // m, how much lower than standing the torso was when it was picked up
+    double sway = 1.0;            // factor on the amplitudes
+    double pace = 1.0;            // factor on the frequencies
+    double lowered_since = -1.0;  // s in this posture at which lowering began; negative: not yet
+    double held_at = 0.0;         // m, height at which lowering began
+    double below = 0.0;           // m, how much lower than standing the torso was at the lift
     TorsoAttitude tilt;           // of the torso then
   };
   Hands hands_;
   bool penalized_ = false;
-  TorsoAttitude lying_;  // the attitude that a fall ends in
-  double slip_ = 0.0;    // rad, of the get-up motion that is going on
+  TorsoAttitude lying_;  // attitude at the end of the fall
+  double slip_ = 0.0;    // rad, rotation by the present get-up motion
   double gait_ = 0.0;    // rad, phase of the double step
-  double effort_ = 0.0;  // share of full walking speed, smoothed: scales the sway
+  double effort_ = 0.0;  // fraction of full walking speed, smoothed; scales the sway
 
   Pose2 odometry_;
   Eigen::Vector3d odometry_scale_;  // forward, left, turn
@@ -174,7 +177,7 @@ class Body {
   TorsoAttitude attitude_bias_;
   Eigen::Vector3d accelerometer_bias_;
 
-  // Of the step before, for the inertial unit; nothing where the body was put somewhere else.
+  // The previous step, for the inertial unit; empty after the operator placed the body.
   struct Moment {
     Eigen::Vector3d torso_origin;  // m, in the field's frame
     TorsoAttitude torso;

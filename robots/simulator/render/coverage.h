@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How much of a pixel something covers, along one axis.
+// Fraction of a pixel that a thing covers, along one axis.
 #pragma once
 
 namespace reorient {
 
-/// Share of [center - half, center + half] that lies in [low, high], in [0, 1].
+/// Fraction of [center - half, center + half] that lies in [low, high], in [0, 1].
 inline float covered_share(float center, float half, float low, float high) {
   const float from = center - half > low ? center - half : low;
   const float to = center + half < high ? center + half : high;

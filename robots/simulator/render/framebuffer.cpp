@@ -11,7 +11,7 @@
 namespace reorient {
 namespace {
 
-/// One row of rays that need not have x = 1, turned by a small rotation.
+/// Rotates one row of rays (of any x) by a small angle.
 void turn_unit_rays(const RayTable& at_rest, int row, const Eigen::Vector3f& turn, RayTable& turned, float& farthest) {
   const auto width = static_cast<std::size_t>(at_rest.camera.width);
   for (std::size_t i = static_cast<std::size_t>(row) * width; i < static_cast<std::size_t>(row + 1) * width; ++i) {
@@ -20,7 +20,7 @@ void turn_unit_rays(const RayTable& at_rest, int row, const Eigen::Vector3f& tur
     turned.forward[i] = ray.x() + moved.x();
     turned.left[i] = ray.y() + moved.y();
     turned.up[i] = ray.z() + moved.z();
-    turned.length[i] = std::sqrt(1.0f + moved.squaredNorm());  // it is at right angles to a unit vector
+    turned.length[i] = std::sqrt(1.0f + moved.squaredNorm());  // moved is perpendicular to a unit vector
     farthest = std::max(farthest, moved.norm());
   }
 }
@@ -80,7 +80,7 @@ void RayTable::make_blocks() {
       each([&](const Eigen::Vector3f& ray) {
         block.half_angle = std::max(block.half_angle, angle_between(ray, block.axis));
       });
-      block.half_angle += pixel_angle;  // what a pixel sees is not its middle alone
+      block.half_angle += pixel_angle;  // a pixel also sees around its center
       const auto [sine, cosine] = pinned::sincos(block.half_angle);
       block.sine = static_cast<float>(sine);
       block.cosine = static_cast<float>(cosine);
@@ -131,7 +131,7 @@ REORIENT_WIDE void RayTable::turn_while_read(const RayTable& at_rest, const Eige
   most_right = at_rest.most_right + farthest;
   most_up = at_rest.most_up + farthest;
   most_down = at_rest.most_down + farthest;
-  constexpr float kDistorted = 1.25f;  // at the image's edges a ray's pixel moves faster than in its middle
+  constexpr float kDistorted = 1.25f;  // at the image's edges a ray's pixel moves faster than at the center
   slack = kDistorted * farthest * static_cast<float>(camera.focal.maxCoeff());
   angle_slack = kDistorted * farthest;
 }

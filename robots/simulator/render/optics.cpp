@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-constexpr int kFarthest = 32;        // pixels that light is blurred to either side
+constexpr int kFarthest = 32;        // pixels, largest blur to either side
 constexpr double kNegligible = 0.1;  // pixels
 
 using ColorPlane = std::vector<float> Frame::*;
@@ -23,8 +23,8 @@ using Lanes = float __attribute__((vector_size(sizeof(float) * kLanes)));
 [[gnu::always_inline]] inline void load(const float* from, Lanes& lanes) { std::memcpy(&lanes, from, sizeof lanes); }
 [[gnu::always_inline]] inline void store(const Lanes& lanes, float* to) { std::memcpy(to, &lanes, sizeof lanes); }
 
-/// For each pixel of a row, which are kLanes or more, what `terms` terms add up to. `add`(term, pixel, sum) adds one to
-/// the sums of kLanes pixels. The sums of several lanes stay in registers.
+/// Computes a sum of `terms` terms for each pixel of a row of at least kLanes pixels. `add`(term, pixel, sum) adds one
+/// term to the sums of kLanes pixels. The sums stay in registers.
 template <typename Add>
 [[gnu::always_inline]] inline void sum_up(int width, int terms, const Add& add, float* out) {
   constexpr int kTogether = 4;
@@ -50,14 +50,14 @@ template <typename Add>
   }
 }
 
-/// `margin` pixels more at both ends.
+/// Extends a row by `margin` pixels at both ends.
 void pad(const float* row, int width, int margin, float* to) {
   std::fill(to, to + margin, row[0]);
   std::copy(row, row + width, to + margin);
   std::fill(to + margin + width, to + 2 * margin + width, row[width - 1]);
 }
 
-/// Half of a normal distribution over pixels, from the middle outwards; all of it sums to 1.
+/// Half of a normal distribution over pixels, from the center outwards; the whole distribution sums to 1.
 std::vector<float> half_kernel(double sigma) {
   if (sigma < kNegligible) return {};
   const int radius = std::clamp(static_cast<int>(std::ceil(3.0 * sigma)), 1, kFarthest);
@@ -99,7 +99,7 @@ const Frame& Optics::image(const Frame& frame, const Eigen::Vector3d& angular_ve
     image = &*lens_;
   }
   if (!motion_) return *image;
-  // To the left turns the camera, to the right moves the image; u points to the right, v down.
+  // If the camera turns to the left, the image moves to the right. u points to the right, v down.
   Eigen::Vector2d motion(focal_.x() * angular_velocity.z() * exposure_time_,
                          -focal_.y() * angular_velocity.y() * exposure_time_);
   const double length = motion.cwiseAbs().maxCoeff();
@@ -144,7 +144,7 @@ REORIENT_WIDE void Optics::blur_by_lens(const Frame& from, Frame& to) {
 }
 
 REORIENT_WIDE void Optics::blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to) {
-  // Places along the way, a pixel apart or less; between pixels, their mean.
+  // Points along the path, at most a pixel apart; between pixels, their weighted mean.
   const int taps = static_cast<int>(std::ceil(motion.cwiseAbs().maxCoeff())) + 1;
   const auto share = 1.0f / static_cast<float>(taps);
   taps_.clear();

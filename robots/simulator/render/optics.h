@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the lens and the time of exposure do to the light before the sensor's pixels see it: both blur it. Angles count,
-// so that images of all sizes are as sharp as each other.
+// Blurs the light by the lens and by motion during the exposure, before it reaches the sensor. Blur is given as an
+// angle, so that images of all sizes are equally sharp.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace reorient {
 
 class Optics {
  public:
-  /// `blur`: standard deviation of the lens's blur, rad; `exposure_time` in s. What is 0 costs nothing.
+  /// `blur`: standard deviation of the lens's blur, rad; `exposure_time` in s. A step whose value is 0 is skipped.
   Optics(double blur, double exposure_time, const RayTable& rays);
 
   /// The light of `frame` as it reaches the sensor while the camera turns at `angular_velocity` (rad/s, in its own
@@ -25,17 +25,17 @@ class Optics {
   void blur_by_lens(const Frame& from, Frame& to);
   void blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to);
 
-  std::vector<float> kernel_;  // from the middle outwards; empty: a sharp lens
+  std::vector<float> kernel_;  // from the center outwards; empty: a sharp lens
   Eigen::Vector2d focal_;      // pixels
   double exposure_time_;
   std::optional<Frame> lens_, across_, motion_;
-  /// A place on the way of a pixel's light while the camera moves.
+  /// A point on the path of a pixel's light while the camera moves.
   struct Tap {
-    int column, row;   // from the pixel
-    float here, next;  // weights of that place's pixel and of the one to its right
+    int column, row;   // relative to the pixel
+    float here, next;  // weights of the pixel at that point and of its right neighbor
   };
   std::vector<Tap> taps_;
-  std::vector<float> padded_;  // rows, continued beyond their ends
+  std::vector<float> padded_;  // rows, extended beyond their ends
 };
 
 }  // namespace reorient

@@ -45,7 +45,7 @@ void Renderer::light(const Scene& scene) {
   }
 }
 
-/// Before everything else, since whatever else there is stands on the field or moves in front of them.
+/// Panels are drawn first, because all other things are on the field, in front of them.
 void Renderer::draw_panels(const Scene& scene, const RayTable& rays, const Eigen::Isometry3f& camera_from_field,
                            const Eigen::Vector3f& eye) {
   order_.clear();
@@ -74,7 +74,7 @@ const Frame& Renderer::render(const Isometry3& field_from_camera, const Scene& s
   if (!scene.illumination.as_usual()) light(scene);
   const std::vector<Capsule>& capsules = scene.illumination.as_usual() ? scene.capsules : capsules_;
 
-  // What is far away first, so that soft edges blend with what is behind them.
+  // Far things first, so that soft edges blend with the things behind them.
   const Eigen::Isometry3f camera_from_field = camera.inverse();
   const Eigen::Vector3f eye = camera.translation();
   draw_panels(scene, rays, camera_from_field, eye);

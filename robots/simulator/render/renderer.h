@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a camera pose and a scene to linear light, depth and labels: no GL, one ray a pixel from a table.
+// Renders a scene from a camera pose to linear light, depth and labels. It uses no OpenGL, but one ray per pixel from a
+// table.
 #pragma once
 
 #include <optional>
@@ -19,8 +20,8 @@ class Renderer {
   Renderer(const CameraModel& camera, const FieldDimensions& field, const Room& room, bool with_labels,
            double worn_lines = 0.0);
 
-  /// The result is valid until the next call. The camera is kept inside of the room and above its floor. A camera that
-  /// turns (rad/s, in its own frame) while its rows are read within `readout_time` (s) sees a skewed picture.
+  /// The result is valid until the next call. The camera is moved into the room and above its floor if necessary. If it
+  /// turns (rad/s, in its own frame) while its rows are read within `readout_time` (s), the picture is skewed.
   const Frame& render(const Isometry3& field_from_camera, const Scene& scene,
                       const Eigen::Vector3d& angular_velocity = Eigen::Vector3d::Zero(), double readout_time = 0.0);
 
@@ -30,7 +31,7 @@ class Renderer {
  private:
   struct Drawn {
     float distance;
-    int index;  // of a panel or a capsule, or of a net where negative: -1 is the first one
+    int index;  // of a panel or a capsule; negative: of a net, -1 is the first one
   };
 
   const RayTable& rays_of_frame(const Eigen::Vector3d& angular_velocity, double readout_time);
@@ -44,7 +45,7 @@ class Renderer {
   Surfaces background_;
   Frame frame_;
   std::vector<Drawn> order_;
-  std::vector<Capsule> capsules_;  // as the scene's light falls on them
+  std::vector<Capsule> capsules_;  // with colors in the scene's light
 };
 
 }  // namespace reorient

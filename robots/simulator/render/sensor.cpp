@@ -13,14 +13,14 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kNoise = 16384;  // values in the noise table; rows are read from it at scattered places
-constexpr float kShoulder = 1.6f;      // the tone curve's softness towards white
+constexpr std::size_t kNoise = 16384;  // values in the noise table; rows start at scattered offsets
+constexpr float kShoulder = 1.6f;      // softness of the tone curve near white
 constexpr float kWhite = 255.0f;
 constexpr std::size_t kRing = 3;
 
 std::vector<float> make_vignette(const RayTable& rays, double loss) {
   std::vector<float> vignette(rays.length.size());
-  if (!rays.is_perspective()) {  // no tangent beyond a quarter turn; 1 - cosine also grows with the angle's square
+  if (!rays.is_perspective()) {  // the tangent ends at 90 degrees; 1 - cosine also grows with the square of the angle
     const float least = *std::min_element(rays.forward.begin(), rays.forward.end());
     for (std::size_t i = 0; i < vignette.size(); ++i) {
       const float share = (1.0f - rays.forward[i]) / std::max(1e-6f, 1.0f - least);
@@ -33,7 +33,7 @@ std::vector<float> make_vignette(const RayTable& rays, double loss) {
   const float corner = std::max(1e-6f, greatest * greatest - 1.0f);
   for (std::size_t i = 0; i < vignette.size(); ++i) {
     const float share =
-        (rays.length[i] * rays.length[i] - 1.0f) / corner;  // squared distance from the axis, 1 in the corners
+        (rays.length[i] * rays.length[i] - 1.0f) / corner;  // squared distance from the axis, 1 at the corners
     vignette[i] = 1.0f - static_cast<float>(loss) * share * (1.4f - 0.4f * share);
   }
   return vignette;
@@ -97,7 +97,7 @@ REORIENT_WIDE void Sensor::expose(const Frame& scene, std::uint64_t number, doub
 }
 
 void Sensor::adapt(const Frame& frame, double time_step) {
-  // Every fourth row and column is enough to judge the light. A lamp counts as white, not as a thousand whites.
+  // Every fourth row and column is enough to measure the light. The brightness of a lamp is limited to white.
   double sum = 0.0;
   int count = 0;
   constexpr int kStep = 4;
@@ -109,12 +109,12 @@ void Sensor::adapt(const Frame& frame, double time_step) {
     }
   }
   const double mean = std::max(1e-4, sum / std::max(1, count));
-  constexpr double kRange = 4.0;  // of the sensor's gain, up and down
-  const double wanted =
+  constexpr double kRange = 4.0;  // largest factor of the sensor's gain, up and down
+  const double target =
       std::clamp(parameters_.brightness / mean, parameters_.exposure / kRange, parameters_.exposure * kRange);
   const double share = adapted_ ? 1.0 - pinned::exp(-time_step / parameters_.adaptation_time) : 1.0;
   adapted_ = true;
-  exposure_ *= pinned::pow(wanted / exposure_, share);
+  exposure_ *= pinned::pow(target / exposure_, share);
 }
 
 REORIENT_WIDE void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
@@ -134,7 +134,7 @@ REORIENT_WIDE void Sensor::blur_row(const Frame& frame, int row, Channels& blurr
 
 Sensor::Amplifier Sensor::amplifier() const {
   const double gain = exposure_ * pinned::exp2(stops_);
-  // An amplifier of 1 is at rest where the exposure starts; less than that adds no noise.
+  // A gain of 1 is that of the exposure at the start; a smaller gain adds no noise.
   const double amplified = std::max(1.0, exposure_ / parameters_.exposure);
   const double noise = parameters_.noise_gain > 0.0 ? pinned::pow(amplified, parameters_.noise_gain) : 1.0;
   return {static_cast<float>(gain * pinned::exp(parameters_.warmth) * gains_.x()),

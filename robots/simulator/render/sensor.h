@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The camera's sensor: from light to the bytes that a NAO delivers. Blur, vignetting, exposure, white balance, a tone
-// curve, noise, and an automatic exposure that follows the picture slowly.
+// The camera's sensor, which converts light to the bytes that a NAO delivers: blur, vignetting, exposure, white
+// balance, tone curve, noise, and an automatic exposure that adapts slowly.
 #pragma once
 
 #include <cstdint>
@@ -35,39 +35,42 @@ struct SensorParameters {
 
 template <typename Visit>
 void describe(SensorParameters& p, Visit&& visit) {
-  visit("automatic_exposure", p.automatic_exposure, "whether the camera follows the picture's brightness");
+  visit("automatic_exposure", p.automatic_exposure, "whether the exposure adapts to the brightness of the image");
   visit("exposure", p.exposure, 0.05, 20.0, "",
-        "factor on the light at the start; stays where the exposure is not automatic");
-  visit("brightness", p.brightness, 0.02, 0.8, "", "mean linear brightness that the automatic exposure aims at");
+        "factor on the light at the start; constant if the exposure is not automatic");
+  visit("brightness", p.brightness, 0.02, 0.8, "", "target of the automatic exposure: mean linear brightness");
   visit("adaptation_time", p.adaptation_time, 0.1, 60.0, "s", "time constant of the automatic exposure");
-  visit("warmth", p.warmth, -0.5, 0.5, "", "white balance: red up and blue down by this natural logarithm");
-  visit("tint", p.tint, -0.5, 0.5, "", "white balance: green up by this natural logarithm");
-  visit("vignetting", p.vignetting, 0.0, 1.0, "", "share of light that is lost in the image's corners");
-  visit("blur", p.blur, 0.0, 0.25, "", "share that each pixel gives to each neighbour, across and down");
-  visit("luma_noise", p.luma_noise, 0.0, 30.0, "", "standard deviation of Y, of 255");
-  visit("chroma_noise", p.chroma_noise, 0.0, 30.0, "", "standard deviation of Cb and Cr, of 255");
-  visit("black_level", p.black_level, 0.0, 0.2, "", "stray light that is added everywhere");
-  visit("saturation", p.saturation, 0.0, 1.5, "", "factor on Cb and Cr");
+  visit("warmth", p.warmth, -0.5, 0.5, "",
+        "warmth of the white balance: natural logarithm of the factor on red and of the divisor of blue");
+  visit("tint", p.tint, -0.5, 0.5, "", "tint of the white balance: natural logarithm of the factor on green");
+  visit("vignetting", p.vignetting, 0.0, 1.0, "", "fraction of the light that is lost in the corners of the image");
+  visit("blur", p.blur, 0.0, 0.25, "",
+        "fraction of its light that each pixel gives to each horizontal and vertical neighbor");
+  visit("luma_noise", p.luma_noise, 0.0, 30.0, "", "standard deviation of the noise of Y (0 to 255)");
+  visit("chroma_noise", p.chroma_noise, 0.0, 30.0, "", "standard deviation of the noise of Cb and Cr (0 to 255)");
+  visit("black_level", p.black_level, 0.0, 0.2, "", "stray light that is added to all pixels");
+  visit("saturation", p.saturation, 0.0, 1.5, "", "factor on the saturation of the image (Cb and Cr)");
   visit("noise_gain", p.noise_gain, 0.0, 1.0, "",
-        "how the noise grows where the automatic exposure amplifies: with this power of the gain");
-  visit("blur_angle", p.blur_angle, 0.0, 0.02, "rad", "standard deviation of the lens's blur, at every image size");
-  visit("exposure_time", p.exposure_time, 0.0, 0.1, "s", "for how long light is gathered: what moves is blurred");
+        "exponent with which the noise grows with the gain of the automatic exposure; 0: constant noise");
+  visit("blur_angle", p.blur_angle, 0.0, 0.02, "rad",
+        "standard deviation of the blur of the lens, the same at every image size");
+  visit("exposure_time", p.exposure_time, 0.0, 0.1, "s", "exposure time of an image, which causes motion blur");
   visit("readout_time", p.readout_time, 0.0, 0.1, "s",
-        "from the first to the last row: what moves is skewed (rolling shutter)");
+        "time from the first to the last row of an image (rolling shutter), which causes skew");
 }
 
 class Sensor {
  public:
   Sensor(const SensorParameters& parameters, const RayTable& rays, std::uint64_t seed);
 
-  /// Powers of two of light beyond what the camera's exposure is set for; an automatic exposure does not undo them.
+  /// Sets a change of the light in powers of two, which the automatic exposure does not compensate.
   void set_stops(double stops) { stops_ = stops; }
 
-  /// Factors on red, green and blue, which the automatic exposure does not undo either.
+  /// Sets factors on red, green and blue, which the automatic exposure does not compensate either.
   void set_gains(const Eigen::Array3d& gains) { gains_ = gains; }
 
-  /// Reads the scene out, after `time_step` seconds of adaptation to it; `number` picks the noise. The camera turns at
-  /// `angular_velocity` (rad/s, in its own frame).
+  /// Takes an image of the scene, after `time_step` seconds of adaptation; `number` selects the noise. The camera turns
+  /// at `angular_velocity` (rad/s, in its own frame).
   void expose(const Frame& scene, std::uint64_t number, double time_step, Image& image,
               const Eigen::Vector3d& angular_velocity = Eigen::Vector3d::Zero());
 
@@ -79,10 +82,10 @@ class Sensor {
     explicit Channels(std::size_t width) : red(width), green(width), blue(width) {}
   };
 
-  /// What holds for a whole frame.
+  /// Values for a whole frame.
   struct Amplifier {
     float red, green, blue;          // factors on the light
-    float luma_sigma, chroma_sigma;  // of the noise, of 255
+    float luma_sigma, chroma_sigma;  // standard deviation of the noise of values from 0 to 255
   };
 
   void adapt(const Frame& frame, double time_step);
@@ -99,12 +102,12 @@ class Sensor {
   std::uint64_t seed_;
   std::vector<float> vignette_;
   std::vector<float> noise_;    // standard normal
-  std::vector<Channels> ring_;  // three rows, blurred across
+  std::vector<Channels> ring_;  // three rows, blurred horizontally
   Channels mixed_;
   Optics optics_;
   std::vector<float> luma_, blue_, red_;  // of one row, before noise
-  std::vector<int> levels_;               // of its pixels' Y
-  std::vector<std::uint32_t> pairs_;      // of its pixels, as they are delivered
+  std::vector<int> levels_;               // Y of that row's pixels
+  std::vector<std::uint32_t> pairs_;      // pairs of that row's pixels in the delivered format
 };
 
 }  // namespace reorient

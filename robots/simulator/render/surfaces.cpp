@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kLineAlbedo = 0.8f;
 
-/// Artificial turf: fibres, patches of wear, and pools of light below the lamps (in the light channel, for the lines).
+/// Artificial turf: fibers, patches of wear, and brighter areas below the lamps (in the light channel, for the lines).
 Texture make_carpet(double length, double width, const LinearColor& light) {
   constexpr double kTexelsPerMeter = 64.0;
   constexpr std::uint64_t kSeed = 0xca47e7;
@@ -167,7 +167,7 @@ inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry
     depth[i] = t;
     hit_x[i] = x;
     hit_y[i] = y;
-    // Where that is in the surface's texture (a round wall's coordinate follows in a loop of its own).
+    // The point in the surface's texture (a separate loop computes the coordinate of a round wall).
     const float at_ends = dx > 0.0f ? y + half_width : 3.0f * half_width + 2.0f * half_length - y;
     const float at_sides = dy > 0.0f ? 2.0f * half_width + half_length - x : 4.0f * half_width + 3.0f * half_length + x;
     const float wall_u = at_end ? at_ends : at_sides;
@@ -177,7 +177,7 @@ inline void Surfaces::intersect_with(const RayTable& rays, const Eigen::Isometry
     const float level_y = dz < 0.0f ? margin_y : half_width;
     hit_u[i] = level ? x + level_x : wall_u;
     hit_v[i] = level ? y + level_y : z;
-    // How much of it the pixel sees.
+    // The size of the area that the pixel sees.
     const float lateral = t * length[i] * pixel_angle;
     const float facing_wall =
         round ? (to_arc * across + along) / half_length : (at_end ? std::fabs(dx) : std::fabs(dy));
@@ -265,7 +265,7 @@ REORIENT_WIDE void Surfaces::shade(const RayTable& rays, const Eigen::Isometry3f
   const float* __restrict footprint = hits_.footprint.data();
   int* __restrict levels = hits_.level.data();
   for (int i = 0; i < width; ++i) levels[i] = Texture::level_for(footprint[i] * texels_per_meter[surfaces[i]]);
-  // A row shows few surfaces at few levels, each for many pixels.
+  // A row shows few surfaces at few levels, each in many pixels.
   for (int begin = 0, end = 0; begin < width; begin = end) {
     const int surface = surfaces[begin];
     const int level = levels[begin];
@@ -289,7 +289,7 @@ void Surfaces::patch(int row, const WallPatches& patches, Frame& frame) {
 }
 
 REORIENT_WIDE void Surfaces::relight(int row, const Illumination& illumination, Frame& frame) {
-  constexpr float kLampOff = 0.03f;  // of a lamp's brightness
+  constexpr float kLampOff = 0.03f;  // brightness of a lamp that is off, relative to one that is on
   illumination.gains(hits_.x, hits_.y, hits_.gain);
   const float dark_x = illumination.toward_dark.x();
   const float dark_y = illumination.toward_dark.y();
@@ -304,8 +304,8 @@ REORIENT_WIDE void Surfaces::relight(int row, const Illumination& illumination, 
   float* __restrict blue = frame.blue.data() + frame.row(row);
 #pragma GCC ivdep
   for (int i = 0; i < width; ++i) {
-    // What is brighter than white paper shines by itself: on walls windows, which no switch makes darker, and on the
-    // ceiling lamps, some of which are off.
+    // Things brighter than white paper emit light: on walls these are windows, which stay bright, and on the ceiling
+    // lamps, some of which are off.
     const float excess = 0.299f * red[i] + 0.587f * green[i] + 0.114f * blue[i] - 1.0f;
     const float positive = excess > 0.0f ? excess : 0.0f;
     const float shines = positive < 1.0f ? positive : 1.0f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surfaces that fill the picture: carpet with its lines, floor, walls and ceiling of the room.
+// The background of the picture: the carpet with its lines, and floor, walls and ceiling of the room.
 #pragma once
 
 #include <vector>
@@ -17,16 +17,16 @@ namespace reorient {
 
 class Surfaces {
  public:
-  /// `worn_lines`: share of the lines that is gone.
+  /// `worn_lines`: fraction of the lines that is missing.
   Surfaces(const FieldDimensions& field, Room room, int image_width, double worn_lines);
 
-  /// What has changed since the room was made.
+  /// Changes of the room's light and walls.
   struct Changes {
     const Illumination& illumination;
     const WallPatches& patches;
   };
 
-  /// Fills in every pixel of `frame`. The camera must be inside of the room and above its floor.
+  /// Sets each pixel of `frame`. The camera must be inside the room and above its floor.
   void render(const RayTable& rays, const Eigen::Isometry3f& field_from_camera, const Changes& changes, Frame& frame);
 
   const Room& room() const { return room_; }
@@ -34,17 +34,17 @@ class Surfaces {
  private:
   enum Surface { kWall, kCeiling, kFloor, kCarpet, kSurfaces };
 
-  /// One image row's worth of where the rays end. Structure of arrays, for SIMD.
+  /// The points that the rays of one image row hit. Structure of arrays, for SIMD.
   struct Hits {
     explicit Hits(int width);
     std::vector<float> x, y;            // m, on the ground
-    std::vector<float> half_x, half_y;  // m, half the ground that a pixel covers; filled in for carpet alone
+    std::vector<float> half_x, half_y;  // m, half sizes of the ground that a pixel covers; only set for carpet
     std::vector<float> u, v;            // m, in the surface's texture
-    std::vector<float> azimuth;         // rad, seen from the middle of a round room
+    std::vector<float> azimuth;         // rad, seen from the center of a round room
     std::vector<float> footprint;       // m, on the surface
-    std::vector<float> coverage;        // share of line
-    std::vector<float> on_wall;         // 1 or 0; filled in where walls are changed
-    std::vector<float> gain;            // on the light; filled in where it is changed
+    std::vector<float> coverage;        // fraction that lines cover
+    std::vector<float> on_wall;         // 1 or 0; only set if walls are changed
+    std::vector<float> gain;            // factor on the light; only set if the light is changed
     std::vector<int> surface;
     std::vector<int> level;  // of the surface's texture
   };

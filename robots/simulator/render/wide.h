@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Loops over pixels, compiled twice: for every processor, and for those that take eight numbers at a time. Each number
-// has the same bits from both, since products and sums are never fused and nothing is summed up across lanes.
+// REORIENT_WIDE compiles loops over pixels twice: for all processors, and for those with AVX2 (eight numbers at once).
+// Both versions give the same bits, because products and sums are never fused and no sum runs across lanes.
 #pragma once
 
-// Sanitizers want to be started before the choice is made, when the program is loaded.
+// Not with sanitizers: the program selects a version while it is loaded, before a sanitizer has started.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define REORIENT_WIDE __attribute__((target_clones("avx2", "default")))
@@ -13,7 +13,7 @@
 
 namespace reorient {
 
-/// Pixels that are looked at together.
+/// Number of pixels that are processed together.
 inline constexpr int kLanes = 8;
 
 }  // namespace reorient

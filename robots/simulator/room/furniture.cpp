@@ -15,7 +15,7 @@ namespace {
 constexpr double kFromCarpet = 0.3;  // m
 constexpr double kFromWall = 0.1;    // m
 
-/// The height of a pillar is that of the room.
+/// A pillar is as high as the room.
 FurniturePiece any_piece(double room_height, Random& random) {
   FurniturePiece piece;
   const double kind = random.uniform();
@@ -34,8 +34,8 @@ FurniturePiece any_piece(double room_height, Random& random) {
   return piece;
 }
 
-/// Whether it stands beside the carpet and in the room. Both are convex, and a piece is shorter than the carpet: so it
-/// covers nothing of the carpet where a line separates the two, which for boxes is one of their own sides.
+/// Whether the piece stands beside the carpet and in the room. Piece and carpet are convex, so they do not overlap if a
+/// line separates them; for boxes it is enough to test their own sides.
 bool has_space(const FurniturePiece& piece, const RoomShape& room, const FieldDimensions& field) {
   const Eigen::Vector2d along = 0.5 * piece.length * unit_vector(piece.rotation);
   const Eigen::Vector2d across = 0.5 * piece.depth * unit_vector(piece.rotation + 0.5 * kPi);
@@ -57,7 +57,7 @@ bool has_space(const FurniturePiece& piece, const RoomShape& room, const FieldDi
 std::vector<FurniturePiece> furnish(const FurnitureParameters& parameters, const RoomShape& room,
                                     const FieldDimensions& field) {
   constexpr std::uint64_t kStream = 0xf0491;
-  constexpr int kTries = 30;  // of places for one piece
+  constexpr int kTries = 30;  // random positions for one piece
   Random random(static_cast<std::uint64_t>(parameters.seed), kStream);
   const bool has_twins = room.symmetry != RoomSymmetry::none;
   std::vector<FurniturePiece> pieces;

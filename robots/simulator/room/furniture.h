@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands between the field and the walls: cabinets, pillars and partitions. It hides what is behind it, and from
-// another place it hides something else (occlusion and parallax).
+// Cabinets, pillars and partitions between the field and the walls, which give the room occlusion and parallax.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +19,23 @@ struct FurnitureParameters {
 
 template <typename Visit>
 void describe(FurnitureParameters& p, Visit&& visit) {
-  visit("pieces", p.pieces, 0, 200, "", "cabinets, pillars and partitions that stand between the carpet and the walls");
-  visit("seed", p.seed, 0, 1000000, "", "which pieces these are, and where they stand");
+  visit("pieces", p.pieces, 0, 200, "",
+        "number of cabinets, pillars and partitions between the carpet and the walls; fewer if there is no space");
+  visit("seed", p.seed, 0, 1000000, "", "seed of the shapes and positions of the furniture");
 }
 
-/// A box that stands on the floor. Each of its sides shows a piece of the room's walls, so that it has colors that
-/// occur in this room.
+/// A box on the floor. Its sides show parts of the room's walls, so that its colors occur in this room.
 struct FurniturePiece {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< m, field frame
   double rotation = 0.0;                             ///< rad, of its long side to the x axis
   double length = 1.0;                               ///< m
   double depth = 0.5;                                ///< m
   double height = 1.0;                               ///< m
-  double picture = 0.0;                              ///< wall coordinate where its picture begins, m
+  double picture = 0.0;                              ///< m, wall coordinate at which its picture begins
 };
 
-/// No piece stands on the carpet or within 0.3 m of it, and none in a wall. Fewer than asked for where there is no
-/// space. In a room with a symmetry each piece has a twin after half a turn.
+/// Places furniture in a room: never in a wall, on the carpet or within 0.3 m of it. Returns fewer pieces than
+/// requested if there is no space. In a symmetric room each piece has a twin at the mirrored pose.
 std::vector<FurniturePiece> furnish(const FurnitureParameters& parameters, const RoomShape& room,
                                     const FieldDimensions& field);
 

@@ -28,7 +28,7 @@ std::vector<std::uint8_t> read_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) fail(path, "does not exist: check the path");
-  if (!std::filesystem::is_regular_file(status)) fail(path, "is not a file: name a .hdr, .png or .jpg file");
+  if (!std::filesystem::is_regular_file(status)) fail(path, "is not a file: pass a .hdr, .png or .jpg file");
   const auto size = std::filesystem::file_size(path, error);
   constexpr std::uintmax_t kLargest = 256u << 20;
   if (error) fail(path, "cannot be read: check its permissions");
@@ -45,9 +45,9 @@ bool begins_with(std::span<const std::uint8_t> bytes, std::initializer_list<std:
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
-/// How many bytes the rows of a PNG take at least when they are inflated. `bytes` begins with a sound IHDR chunk.
+/// Least number of bytes of the inflated rows of a PNG. `bytes` begins with a valid IHDR chunk.
 std::size_t inflated_size(const png_image& png, std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t kDepth = 24, kColorType = 25;  // where they stand in the file
+  constexpr std::size_t kDepth = 24, kColorType = 25;  // offsets in the file
   constexpr std::array<std::size_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
   const std::size_t bits = std::size_t{bytes[kDepth]} * kChannels.at(bytes[kColorType]);
   return png.height * (1 + (png.width * bits + 7) / 8);
@@ -63,7 +63,7 @@ LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& n
   constexpr png_uint_32 kSane = 1u << 20;
   check_panorama_size(static_cast<int>(std::min(png.width, kSane)), static_cast<int>(std::min(png.height, kSane)),
                       name);
-  // Deflate makes at most 1032 bytes of one: for what cannot be there no memory is taken.
+  // Deflate makes at most 1032 bytes of one. So reject a file that is too short before memory is allocated.
   constexpr std::size_t kMostOfOne = 1032;
   if (inflated_size(png, bytes) / kMostOfOne > bytes.size())
     fail(name, "ends too early, it is incomplete: fetch or export it again");
@@ -90,7 +90,7 @@ std::array<float, 256> linear_from_srgb() {
   return table;
 }
 
-/// A progressive picture is decoded once for each of its scans, and a scan of few bytes may stand for all pixels.
+/// Limits the time of decoding: a progressive picture is decoded once for each scan, and a scan may have few bytes.
 void check_scans(std::span<const std::uint8_t> jpeg, const std::string& name) {
   constexpr int kMost = 50;
   int scans = 0;
@@ -138,7 +138,7 @@ void check_panorama_size(int width, int height, const std::string& name) {
     fail(name, what.str());
   }
   if (std::abs(static_cast<double>(width) / height - 2.0) > kTolerance) {
-    what << "an equirectangular panorama is twice as wide as high, so export it as such";
+    what << "export it as an equirectangular panorama, which is twice as wide as high";
     fail(name, what.str());
   }
 }
@@ -147,7 +147,7 @@ LinearImage decode_panorama(std::span<const std::uint8_t> bytes, const std::stri
   if (looks_like_radiance(bytes)) return decode_radiance(bytes, name);
   if (begins_with(bytes, {0x89, 'P', 'N', 'G'})) return decode_png(bytes, name);
   if (begins_with(bytes, {0xff, 0xd8, 0xff})) return decode_jpeg(bytes, name);
-  fail(name, "is neither a Radiance .hdr nor a .png nor a .jpg: convert it to one of them");
+  fail(name, "has an unknown format (expected Radiance .hdr, .png or .jpg): convert it to one of them");
 }
 
 LinearImage read_panorama(const std::string& path) { return decode_panorama(read_file(path), path); }

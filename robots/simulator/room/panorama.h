@@ -10,11 +10,11 @@
 
 namespace reorient {
 
-/// Reads a panorama (Radiance .hdr, .png or .jpg, told apart by their content) into linear light, top row first.
-/// Throws std::runtime_error with one line that names the file and what to do about it.
+/// Reads a panorama (Radiance .hdr, .png or .jpg, detected by content) into linear light, top row first.
+/// Throws std::runtime_error with one line that names the file, the problem and its fix.
 LinearImage read_panorama(const std::string& path);
 
-/// The same from memory; `name` is for the message.
+/// The same from memory; `name` is for error messages.
 LinearImage decode_panorama(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Throws std::runtime_error unless the size is that of an equirectangular panorama that fits into memory.

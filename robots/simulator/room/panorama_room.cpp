@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A room from a panorama: every point of wall, ceiling and floor takes the light that the panorama shows in its
-// direction from the viewpoint. The projection is exact for walls where the panorama was taken in such a room, and
-// believable elsewhere.
+// A room from a panorama: each point of wall, ceiling and floor has the light that the panorama shows in its direction
+// from the viewpoint. The projection is exact if the panorama was taken in a room of this shape, else plausible.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -20,14 +19,14 @@ namespace {
 
 constexpr double kTexelsPerMeter = 50.0;
 constexpr double kLevelTexelsPerMeter = 32.0;
-constexpr int kWidest = 4096;        // pixels; finer panoramas are averaged down first
-constexpr float kBrightest = 12.0f;  // of the mean brightness of what is around
+constexpr int kWidest = 4096;        // pixels; wider panoramas are averaged down first
+constexpr float kBrightest = 12.0f;  // relative to the brightness of the surroundings
 
 LinearImage halve(const LinearImage& fine) {
   LinearImage coarse(fine.width / 2, fine.height / 2);
   for (int y = 0; y < coarse.height; ++y) {
     for (int x = 0; x < coarse.width; ++x) {
-      // Each quarter for itself: the sum of the four brightest lights that there can be is infinite.
+      // Scale each summand, because the sum of the four largest floats is infinite.
       coarse.at(x, y) = 0.25f * fine.at(2 * x, 2 * y) + 0.25f * fine.at(2 * x + 1, 2 * y) +
                         0.25f * fine.at(2 * x, 2 * y + 1) + 0.25f * fine.at(2 * x + 1, 2 * y + 1);
     }
@@ -37,8 +36,8 @@ LinearImage halve(const LinearImage& fine) {
 
 float brightness(const LinearColor& color) { return 0.299f * color.x() + 0.587f * color.y() + 0.114f * color.z(); }
 
-/// Scales the panorama so that what is around the field has the brightness of an ordinary wall (the geometric mean:
-/// windows and lamps do not count more than they look), and keeps lamps within what textures hold.
+/// Scales the panorama so that the surroundings of the field have the brightness of an ordinary wall, and limits lamps
+/// to the range of textures. The geometric mean prevents that windows and lamps dominate.
 void normalize(LinearImage& panorama) {
   constexpr double kOrdinary = 0.16;
   const int top = panorama.height * 30 / 100;     // elevations from 36 degrees up
@@ -53,8 +52,8 @@ void normalize(LinearImage& panorama) {
   for (LinearColor& color : panorama.pixels) color = (scale * color).max(0.0f).min(kBrightest);
 }
 
-/// What white paper on the field reflects: the mean light from above, weighed by the cosine, half way to grey because
-/// the camera's white balance makes up for the rest; with the brightness of a dim hall.
+/// The light that white paper on the field reflects: the mean light from above, weighted by the cosine, with the
+/// brightness of a dim hall. It is moved half way to gray, because the camera's white balance compensates for the rest.
 LinearColor light_of(const LinearImage& panorama) {
   LinearColor sum = LinearColor::Constant(1e-6f);
   for (int y = 0; y < panorama.height / 2; ++y) {
@@ -66,7 +65,7 @@ LinearColor light_of(const LinearImage& panorama) {
   return kDim * (0.5f + 0.5f * sum / brightness(sum));
 }
 
-/// Looks up directions from the viewpoint.
+/// Looks up the light in directions from the viewpoint.
 class Viewpoint {
  public:
   Viewpoint(const LinearImage& panorama, const RoomShape& shape) : panorama_(panorama), shape_(shape) {}
@@ -120,7 +119,7 @@ LinearImage bake_level(const Viewpoint& viewpoint, const RoomShape& shape, doubl
   return image;
 }
 
-/// A banner in the colors of the hall is painted in the hall only. A panorama without it would pass for a room with it.
+/// Only the built-in hall has the banner. Reject a mark for a panorama, instead of ignoring it.
 void check_panorama_shape(const std::string& name, const RoomShape& shape) {
   check(shape);
   if (shape.mark == 0.0) return;

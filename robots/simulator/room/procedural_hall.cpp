@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The default room: a sports hall on a tournament day. Each of its four walls has a theme of its own (a stand full of
-// people, windows, a stage, a wooden sports wall); the seed deals the themes, the colours and everything in detail.
+// The default room: a sports hall on a tournament day. Each of its four walls has its own theme (a stand full of
+// people, windows, a stage, a wooden sports wall). The seed selects the order of themes, the colors and all details.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -24,7 +24,7 @@ const LinearColor kSkin(0.36f, 0.20f, 0.13f);
 const LinearColor kDaylight(2.2f, 2.5f, 3.0f);
 const LinearColor kLamp(9.0f, 8.6f, 7.8f);
 
-/// One wall, painted as seen from inside: x from its left end, y up from the floor, metres.
+/// One wall, painted as seen from inside: x from its left end, y up from the floor, meters.
 class Wall {
  public:
   Wall(TexturePainter& canvas, double begin, double end, double height)
@@ -59,7 +59,7 @@ class Wall {
   double height_;
 };
 
-/// The colours of the day: hues far apart, so that no two walls carry the same ones.
+/// The colors of the decoration. The hues are far apart, so that no two walls have the same ones.
 struct Palette {
   double hue;
 
@@ -69,7 +69,7 @@ struct Palette {
 
 LinearColor any_cloth(Random& random) { return any_paint(Range{}, {0.1, 0.9}, {0.15, 0.8}, random); }
 
-/// Blocks like writing: letters of one height, seen from afar.
+/// Blocks that look like writing from a distance: letters of one height.
 void write(Wall& wall, const Area& area, const LinearColor& color, Random& random) {
   const double letter = 0.62 * area.height();
   for (double x = area.left; x + 0.8 * letter < area.right; x += letter) {
@@ -117,7 +117,7 @@ void door(Wall& wall, double x, const LinearColor& leaf, Random& random) {
     wall.rectangle({x + 0.3, 1.2, x + 0.67, 1.8}, LinearColor(0.5f, 0.6f, 0.65f));
     wall.rectangle({x + 1.33, 1.2, x + 1.7, 1.8}, LinearColor(0.5f, 0.6f, 0.65f));
   }
-  wall.rectangle({x + 0.6, 2.32, x + 1.4, 2.6}, LinearColor(0.05f, 0.75f, 0.28f));  // the way out, lit
+  wall.rectangle({x + 0.6, 2.32, x + 1.4, 2.6}, LinearColor(0.05f, 0.75f, 0.28f));  // exit sign, lit
   wall.rectangle({x + 0.7, 2.4, x + 1.0, 2.52}, LinearColor(1.0f, 1.2f, 1.1f));
   wall.rectangle({x + 2.35, 0.9, x + 2.6, 1.5}, LinearColor(0.5f, 0.02f, 0.02f));  // fire extinguisher
 }
@@ -144,7 +144,7 @@ void stand(Wall& wall, const Palette& palette, Random& random) {
   constexpr int kRows = 5;
   constexpr double kRise = 0.52;
   const LinearColor seat = palette.strong(1, 0.6);
-  for (int row = kRows - 1; row >= 0; --row) {  // from the back
+  for (int row = kRows - 1; row >= 0; --row) {  // back row first
     const double step = 0.75 + kRise * row;
     wall.rectangle({left, 0.0, right, step}, LinearColor(kSteel * 0.55f));
     wall.rectangle({left, step - 0.06, right, step}, kSteel);
@@ -269,7 +269,7 @@ void sports_wall(Wall& wall, const Palette& palette, Random& random) {
   for (int i = 0; i < 4; ++i) {
     write(wall, {score + 0.25 + 0.6 * i, 3.75, score + 0.75 + 0.6 * i, 4.3}, LinearColor(1.6f, 0.25f, 0.03f), random);
   }
-  const double mats = random.uniform(0.24, 0.3) * wall.width();  // gymnastic mats, leaning
+  const double mats = random.uniform(0.24, 0.3) * wall.width();  // gymnastic mats, leaning at the wall
   for (int i = 0; i < 3; ++i) {
     wall.rectangle({mats + 0.35 * i, 0.0, mats + 0.35 * i + 0.3, 1.9}, paint_of(0.6, 0.8, 0.35 + 0.1 * i));
   }
@@ -296,8 +296,8 @@ TexturePainter paint_walls(const RoomShape& shape, const Palette& palette, Rando
   return canvas;
 }
 
-/// Hangs a banner of `shape.mark` meters at the middle of the wall along the sideline at -y, where the robot sees it.
-/// It is all that differs after half a turn in a room whose walls are already symmetric.
+/// Paints a banner with a width of `shape.mark` meters on the middle of the wall along the touchline at -y, at a height
+/// that the robot sees. In a symmetric room only the banner differs after a rotation by 180 degrees.
 LinearImage with_mark(LinearImage walls, const RoomShape& shape, const Palette& palette, Random& random) {
   constexpr int kSide = 3;
   constexpr double kBottom = 1.0, kTop = 2.5;  // m
@@ -325,7 +325,7 @@ TexturePainter paint_ceiling(const RoomShape& shape, Random& random) {
   for (double x = 0.5; x < extent.x(); x += 1.1) canvas.rectangle({x, duct, x + 0.05, duct + 0.7}, kSteel);
   for (double x = 2.4; x < extent.x() - 1.0; x += 2.8) {
     for (double y = 1.6; y < extent.y() - 0.8; y += 2.4) {
-      if (random.uniform() < 0.12) continue;  // one of them is always broken
+      if (random.uniform() < 0.12) continue;  // broken lamps
       canvas.rectangle({x, y, x + 1.3, y + 0.32}, kSteel);
       canvas.rectangle({x + 0.05, y + 0.04, x + 1.25, y + 0.28}, kLamp);
     }

@@ -15,7 +15,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// Takes bytes from the front, and complains when there are none left.
+/// Reads bytes from the front. Throws at the end of the data.
 class Reader {
  public:
   Reader(std::span<const std::uint8_t> bytes, const std::string& name) : rest_(bytes), name_(name) {}
@@ -31,7 +31,7 @@ class Reader {
 
   Rgbe pixel() { return {byte(), byte(), byte(), byte()}; }
 
-  /// Up to the next line feed, which is taken too.
+  /// Reads up to the next line feed and skips it.
   std::string_view line() {
     constexpr std::size_t kLongest = 4096;
     for (std::size_t i = 0; i < rest_.size() && i < kLongest; ++i) {
@@ -53,7 +53,7 @@ class Reader {
   const std::string& name_;
 };
 
-/// What the resolution line says: "-Y 512 +X 1024" is top row first, left pixel first.
+/// The layout from the resolution line: "-Y 512 +X 1024" means top row first, left pixel first.
 struct Layout {
   int width = 0;
   int height = 0;
@@ -77,14 +77,14 @@ Layout read_header(Reader& reader) {
   words >> rows >> layout.height >> columns >> layout.width;
   if (!words || (rows != "-Y" && rows != "+Y") || (columns != "-X" && columns != "+X")) {
     reader.fail(
-        "has no resolution like '-Y 512 +X 1024' after its header: export it again as Radiance .hdr, not turned");
+        "has no resolution like '-Y 512 +X 1024' after its header: export it again as Radiance .hdr, not rotated");
   }
   layout.bottom_first = rows == "+Y";
   layout.right_first = columns == "-X";
   return layout;
 }
 
-/// One channel after the other, in runs (a length above 128, one value) and stretches (a length, that many values).
+/// The four channels of a row one by one, as runs (a length above 128, one value) and literals (a length, its values).
 void read_coded_row(Reader& reader, std::vector<Rgbe>& row) {
   constexpr int kRun = 128;
   for (std::size_t channel = 0; channel < 4; ++channel) {
@@ -104,7 +104,7 @@ void read_coded_row(Reader& reader, std::vector<Rgbe>& row) {
   }
 }
 
-/// Pixel by pixel; (1, 1, 1, n) repeats the pixel before, as Radiance did before 1991.
+/// Pixel by pixel; (1, 1, 1, n) repeats the previous pixel, as Radiance wrote before 1991.
 void read_flat_row(Reader& reader, Rgbe first, std::vector<Rgbe>& row) {
   int shift = 0;
   Rgbe pixel = first;
@@ -125,7 +125,7 @@ void read_flat_row(Reader& reader, Rgbe first, std::vector<Rgbe>& row) {
 }
 
 void read_row(Reader& reader, std::vector<Rgbe>& row) {
-  constexpr std::size_t kShortest = 8;  // widths that can be run-length coded
+  constexpr std::size_t kShortest = 8;  // smallest width that can be run-length coded
   constexpr std::size_t kLongest = 0x7fff;
   const Rgbe first = reader.pixel();
   const std::size_t announced = static_cast<std::size_t>(first[2]) << 8 | first[3];
@@ -142,7 +142,7 @@ void read_row(Reader& reader, std::vector<Rgbe>& row) {
 
 LinearColor to_light(const Rgbe& pixel) {
   if (pixel[3] == 0) return LinearColor::Zero();
-  constexpr int kBias = 128 + 8;  // of the exponent, and of the mantissa's bits
+  constexpr int kBias = 128 + 8;  // bias of the exponent, and bits of the mantissa
   const float scale = std::ldexp(1.0f, static_cast<int>(pixel[3]) - kBias);
   return scale * LinearColor(pixel[0] + 0.5f, pixel[1] + 0.5f, pixel[2] + 0.5f);
 }
@@ -158,7 +158,7 @@ LinearImage decode_radiance(std::span<const std::uint8_t> bytes, const std::stri
   if (!looks_like_radiance(bytes)) reader.fail("is not a Radiance picture");
   const Layout layout = read_header(reader);
   check_panorama_size(layout.width, layout.height, name);
-  // A row takes 4 bytes of announcement and two for every run of 127 in four channels; less cannot be whole.
+  // A row has at least 4 bytes of header and 2 for each run of 127 in four channels. Reject shorter data early.
   constexpr std::size_t kLongestRun = 127;
   const std::size_t runs = (static_cast<std::size_t>(layout.width) + kLongestRun - 1) / kLongestRun;
   const std::size_t least = static_cast<std::size_t>(layout.height) * std::min<std::size_t>(4 + 8 * runs, 8);

@@ -11,11 +11,11 @@
 
 namespace reorient {
 
-/// Whether the bytes begin like a Radiance picture.
+/// Whether the bytes begin with the header of a Radiance picture.
 bool looks_like_radiance(std::span<const std::uint8_t> bytes);
 
-/// Decodes a picture into linear light, top row first. `name` is for the message.
-/// Throws std::runtime_error where the bytes are not a whole picture of a sensible size.
+/// Decodes a picture into linear light, top row first. `name` is for error messages.
+/// Throws std::runtime_error if the picture is incomplete, damaged or of an invalid size.
 LinearImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace reorient

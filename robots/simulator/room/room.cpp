@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-// Where a cylinder's wall coordinate begins: the same corner as the box's, seen from the centre of a square.
+// Azimuth at which a cylinder's wall coordinate begins: the direction of the corner at which that of a square box does.
 constexpr double kCylinderStart = -kPi / 4.0;
 
 void check_range(const char* name, double value, double greatest) {
@@ -70,11 +70,10 @@ void check(const RoomShape& shape) {
                      shape.viewpoint_height <= 0.96 * shape.height && std::isfinite(shape.turn);
   if (!sound) {
     std::ostringstream message;
-    message
-        << "a room of " << extent.x() << " x " << extent.y() << " x " << shape.height << " m, seen from "
-        << shape.viewpoint_height
-        << " m, cannot be built: choose 4...200 x 4...200 x 2.5...30 m and a viewpoint between 0.3 m and just below "
-           "the ceiling";
+    message << "room_shape: expected 4 to 200 x 4 to 200 x 2.5 to 30 m and a viewpoint from 0.3 m to just below the "
+               "ceiling, found "
+            << extent.x() << " x " << extent.y() << " x " << shape.height << " m and a viewpoint at "
+            << shape.viewpoint_height << " m";
     throw std::runtime_error(message.str());
   }
   check_range("symmetry_strength", shape.symmetry_strength, 1.0);

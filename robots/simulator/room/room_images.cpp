@@ -7,12 +7,12 @@
 namespace reorient {
 namespace {
 
-/// Exact at both ends: at a strength of 1 it is `repeated`, at 0 `painted`, bit for bit.
+/// Exact at both ends: bit for bit `repeated` at a strength of 1, `painted` at 0.
 LinearColor mixed(const LinearColor& painted, const LinearColor& repeated, float strength) {
   return (1.0f - strength) * painted + strength * repeated;
 }
 
-/// At a strength of 1, half a turn about the middle leaves it as it is.
+/// At a strength of 1, a rotation by 180 degrees about the center does not change the result.
 void make_point_symmetric(LinearImage& level, float strength) {
   const std::size_t count = level.pixels.size();
   for (std::size_t i = 0; i < count / 2; ++i) {
@@ -21,7 +21,7 @@ void make_point_symmetric(LinearImage& level, float strength) {
   }
 }
 
-/// At a strength of 1, the second half of the way around is the first one again.
+/// At a strength of 1, the second half of the perimeter repeats the first half.
 void repeat_half(LinearImage& walls, float strength) {
   const int half = walls.width / 2;
   for (int y = 0; y < walls.height; ++y) {
@@ -29,9 +29,9 @@ void repeat_half(LinearImage& walls, float strength) {
   }
 }
 
-/// At a strength of 1, each wall is the first one, as wide as the wall is.
+/// At a strength of 1, each wall shows the first one, stretched to its own width.
 void repeat_first_wall(LinearImage& walls, const RoomShape& shape, float strength) {
-  const double columns = walls.width / wall_perimeter(shape);  // in a metre
+  const double columns = walls.width / wall_perimeter(shape);  // in a meter
   const double first = wall_begin(shape, 1) - wall_begin(shape, 0);
   const LinearImage painted = walls;
   for (int side = 1; side < 4; ++side) {
@@ -48,11 +48,11 @@ void repeat_first_wall(LinearImage& walls, const RoomShape& shape, float strengt
   }
 }
 
-/// `share` of the colours is left; brightness stays.
+/// Scales the saturation by `share`; the brightness stays the same.
 void fade(LinearImage& image, float share) {
   for (LinearColor& color : image.pixels) {
-    const float grey = 0.299f * color.x() + 0.587f * color.y() + 0.114f * color.z();
-    color = grey + share * (color - grey);
+    const float gray = 0.299f * color.x() + 0.587f * color.y() + 0.114f * color.z();
+    color = gray + share * (color - gray);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is painted on a room's surfaces before it becomes textures. Here a room is made symmetric and its colors fade.
+// The pictures of a room's surfaces before they become textures. Here a room becomes symmetric or loses its colors.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace reorient {
 
-/// Pictures of one room: walls once around, ceiling and floor from above, each as its texture wants it.
+/// Pictures of one room: the walls once around, ceiling and floor from above, each in the layout of its texture.
 struct RoomImages {
   LinearImage walls;
   LinearImage ceiling;
   LinearImage floor;
 };
 
-/// Repeats one half of the pictures as the other half, as the shape's symmetry and its strength say.
+/// Repeats one half (or quarter) of the pictures, according to the shape's symmetry and its strength.
 void make_symmetric(RoomImages& images, const RoomShape& shape);
 
-/// The room, with the share of its colors that its shape asks for.
+/// The room, with its colors reduced as its shape requests.
 Room room_of(RoomImages images, const std::string& name, const RoomShape& shape, const LinearColor& light);
 
 }  // namespace reorient

@@ -26,13 +26,13 @@ Plane halve(const Plane& fine, int width, int height) {
 }  // namespace
 
 int texels_for(double meters, double per_meter) {
-  const int wanted = std::max(1, static_cast<int>(std::ceil(meters * per_meter)));
-  return (wanted + Texture::kGranularity - 1) / Texture::kGranularity * Texture::kGranularity;
+  const int requested = std::max(1, static_cast<int>(std::ceil(meters * per_meter)));
+  return (requested + Texture::kGranularity - 1) / Texture::kGranularity * Texture::kGranularity;
 }
 
 Texture::Texture(const LinearImage& image, const std::vector<float>& light, const Eigen::Vector2d& extent, Edge edge) {
   if (image.width <= 0 || image.height <= 0 || image.width % kGranularity != 0 || image.height % kGranularity != 0) {
-    throw std::invalid_argument("texture sizes must be positive multiples of 64 texels");
+    throw std::invalid_argument("texture: expected a width and a height that are positive multiples of 64 texels");
   }
   Plane plane(image.pixels.size());
   for (std::size_t i = 0; i < plane.size(); ++i) {
@@ -53,7 +53,7 @@ Texture::Texture(const LinearImage& image, const std::vector<float>& light, cons
     level.stride = width + 2;
     level.scale_u = static_cast<float>(width / extent.x());
     level.scale_v = static_cast<float>(height / extent.y());
-    // Just below width + 1, so that the right neighbour is inside of the border.
+    // Just below width + 1, so that the right neighbor lies within the border.
     level.last_column = std::nextafter(static_cast<float>(width + 1), 0.0f);
     level.last_row = std::nextafter(static_cast<float>(height + 1), 0.0f);
     for (int y = -1; y <= height; ++y) {

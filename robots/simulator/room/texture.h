@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces as the renderer reads them: linear light, measured in metres, with ever coarser copies for the distance.
+// Textures of surfaces for the renderer: linear light, coordinates in meters, coarser copies (mip maps) for distances.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace reorient {
 
-/// Linear light (not gamma coded): red, green, blue. 1 is about what white paper reflects in the hall.
+/// Linear light (not gamma coded): red, green, blue. 1 is about the light that white paper reflects in the hall.
 using LinearColor = Eigen::Array3f;
 
-/// A picture in linear light. Row 0 is the top row of a picture and, on a surface, the row at its lowest coordinate.
+/// A picture in linear light. Row 0 is the top row of a picture, and the row at the lowest coordinate of a surface.
 struct LinearImage {
   int width = 0;
   int height = 0;
@@ -34,28 +34,28 @@ struct LinearImage {
   }
 };
 
-/// A mip map over a rectangle of `extent` metres. Immutable; copies share their memory.
+/// A mip map over a rectangle of `extent` meters. Immutable; copies share their memory.
 class Texture {
  public:
   static constexpr int kLevels = 7;
-  /// Widths and heights of a texture's image must be multiples of this: every level halves the one before exactly.
+  /// Width and height of a texture's image must be multiples of this, because each level halves the previous one.
   static constexpr int kGranularity = 1 << (kLevels - 1);
 
   enum class Edge { clamp, wrap };
 
-  /// Four channels, in memory as fixed-point numbers: 4096 is 1, so that lamps of up to 16 survive.
+  /// Four channels, in memory as fixed-point numbers: 4096 is 1, so that lamps of up to 16 fit in.
   using Color = float __attribute__((vector_size(16)));
 
   Texture() = default;
 
-  /// `edge` is what lies beyond the left and right edges; above and below, the last row goes on.
-  /// The fourth channel is `light`, or 1 where `light` is empty (else one value a pixel).
+  /// `edge` defines what lies beyond the left and right edges; above and below, the last row is repeated.
+  /// The fourth channel is `light` with one value for each pixel, or 1 if `light` is empty.
   Texture(const LinearImage& image, const std::vector<float>& light, const Eigen::Vector2d& extent, Edge edge);
 
-  /// Texels per metre of the finest level (geometric mean of both axes).
+  /// Texels per meter of the finest level (geometric mean of both axes).
   float texels_per_meter() const { return texels_per_meter_; }
 
-  /// The level whose texels are about as large as `footprint_in_texels` of the finest level.
+  /// The level whose texels have about the size of `footprint_in_texels` texels of the finest level.
   static int level_for(float footprint_in_texels) {
     constexpr float kBias = 1.3f;  // texels between 0.77 and 1.54 times the footprint
     constexpr int kExponentOfOne = 127;
@@ -64,12 +64,12 @@ class Texture {
     return exponent < 0 ? 0 : (exponent >= kLevels ? kLevels - 1 : exponent);
   }
 
-  /// Bilinear, at `count` places of one level: u and v in metres, inside of the extent (a hair outside, from rounding,
-  /// is fine). Calls take(i, color) for each.
+  /// Interpolates bilinearly at `count` points of one level: u and v in meters, within the extent except for rounding
+  /// errors. Calls take(i, color) for each point.
   template <typename Take>
   void sample(const float* u, const float* v, int count, int level, Take&& take) const;
 
-  /// At one place.
+  /// The same at one point.
   Color sample(float u, float v, int level) const {
     Color sampled{};
     sample(&u, &v, 1, level, [&](int, Color color) { sampled = color; });
@@ -83,7 +83,7 @@ class Texture {
   struct Level {
     const Texel* texels = nullptr;  // with a border of one texel on every side
     int stride = 0;
-    float scale_u = 0.0f;  // texels per metre
+    float scale_u = 0.0f;  // texels per meter
     float scale_v = 0.0f;
     float last_column = 0.0f;  // greatest sampling coordinate in the bordered image
     float last_row = 0.0f;
@@ -93,7 +93,7 @@ class Texture {
   static Color between(const Texel* texels, float share) {
     using Pair = std::uint16_t __attribute__((vector_size(16)));
     using Whole = std::int32_t __attribute__((vector_size(16)));
-    static_assert(std::endian::native == std::endian::little, "interleaving with zeros widens only this way round");
+    static_assert(std::endian::native == std::endian::little, "interleaving with zeros needs little endian");
     Pair pair;
     std::memcpy(&pair, texels, sizeof pair);
     const Pair zeros{};
@@ -116,8 +116,8 @@ class Texture {
 template <typename Take>
 [[gnu::always_inline]] inline void Texture::sample(const float* u, const float* v, int count, int level,
                                                    Take&& take) const {
-  constexpr int kBlock = 64;  // places whose texels are looked up together
-  constexpr int kAhead = 12;  // places by which texels are asked for in advance: they lie anywhere in memory
+  constexpr int kBlock = 64;  // points whose texels are looked up together
+  constexpr int kAhead = 12;  // points by which texels are prefetched, because they lie anywhere in memory
   const Level l = levels_[static_cast<std::size_t>(level)];
   alignas(32) int offset[kBlock + kAhead];
   alignas(32) float across[kBlock];
@@ -148,7 +148,7 @@ template <typename Take>
   }
 }
 
-/// The number of texels for `meters` at about `per_meter`, rounded up to what a Texture asks for.
+/// The number of texels for `meters` at about `per_meter`, rounded up to a multiple that a Texture accepts.
 int texels_for(double meters, double per_meter);
 
 }  // namespace reorient

@@ -88,7 +88,7 @@ LinearColor paint_of(double hue, double saturation, double value) {
     const double turned = hue + offset - std::floor(hue + offset);
     const double full = std::clamp(std::abs(6.0 * turned - 3.0) - 1.0, 0.0, 1.0);
     const double shown = value * std::lerp(1.0, full, saturation);
-    return static_cast<float>(shown * shown);  // a gamma of 2, as the simulated camera's
+    return static_cast<float>(shown * shown);  // a gamma of 2, like the simulated camera
   };
   return {channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture that is painted in metres, with soft edges, bottom left first. Linear light.
+// Paints a picture in linear light with soft edges. Coordinates are in meters from the bottom left corner.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// An upright rectangle in metres.
+/// An upright rectangle in meters.
 struct Area {
   double left = 0.0;
   double bottom = 0.0;
@@ -24,7 +24,7 @@ struct Area {
 
 class TexturePainter {
  public:
-  /// Of at least `per_meter` texels a metre; its size suits a Texture.
+  /// At least `per_meter` texels per meter; the size of the picture is valid for a Texture.
   TexturePainter(double width, double height, double per_meter, const LinearColor& color);
   /// Paints over an image of this many meters.
   TexturePainter(double width, double height, LinearImage image)
@@ -32,9 +32,9 @@ class TexturePainter {
 
   void rectangle(const Area& area, const LinearColor& color, double opacity = 1.0);
   void ellipse(double x, double y, double radius_x, double radius_y, const LinearColor& color, double opacity = 1.0);
-  /// Multiplies, from `below` at the area's lower edge to `above` at its upper edge.
+  /// Multiplies the light by a factor from `below` at the area's lower edge to `above` at its upper edge.
   void shade(const Area& area, double below, double above);
-  /// Multiplies with smooth noise of standard deviation about `strength` and blobs of `size` metres.
+  /// Multiplies the light by smooth noise with a standard deviation of about `strength` and blobs of `size` meters.
   void mottle(const Area& area, double strength, double size, Random& random);
 
   const LinearImage& image() const { return image_; }
@@ -50,15 +50,15 @@ class TexturePainter {
   LinearImage image_;
 };
 
-/// A paint from hue (turns), saturation and value in [0, 1], as on a screen.
+/// The color for hue (in turns), saturation and value in [0, 1], as on a screen.
 LinearColor paint_of(double hue, double saturation, double value);
 
-/// What a random number is drawn from.
+/// Interval from which a random number is drawn.
 struct Range {
   double low = 0.0;
   double high = 1.0;
 };
-/// Some paint: first its value is drawn, then its saturation, then its hue where that is not given.
+/// A random color: draws the value, then the saturation, then the hue unless it is given.
 LinearColor any_paint(double hue, const Range& saturation, const Range& value, Random& random);
 LinearColor any_paint(const Range& hue, const Range& saturation, const Range& value, Random& random);
 

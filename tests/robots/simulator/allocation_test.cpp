@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame of the simulator allocates nothing once all its people, robots and pictures have their memory, whatever the
-// light and the lens do.
+// In the steady state a frame of the simulator allocates no memory, in any light and with any lens.
 #include <cstdlib>
 #include <new>
 
@@ -22,7 +21,7 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
-// Deletes are not inlined: the compiler would see a pointer of operator new be freed, and warn.
+// Not inlined, because the compiler would warn that a pointer of operator new is freed.
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }

@@ -62,7 +62,7 @@ TEST(Body, IgnoresRequestsThatAreNotNumbers) {
   EXPECT_TRUE(std::isfinite(body.head().yaw) && std::isfinite(body.head().pitch));
 }
 
-TEST(Body, TurnsItsHeadAtTheRequestedSpeedUpToTheMotors) {
+TEST(Body, TurnsItsHeadAtTheRequestedSpeedWithinItsLimit) {
   Body slow = body_at({});
   Request request;
   request.head = HeadRequest{{1.5, 0.0}, 1.0};
@@ -74,7 +74,7 @@ TEST(Body, TurnsItsHeadAtTheRequestedSpeedUpToTheMotors) {
   EXPECT_NEAR(fast.head().yaw, 8.0 * kStep, 1e-9);
 }
 
-TEST(Body, LeavesItsHeadWhereItIsWithoutARequest) {
+TEST(Body, DoesNotMoveItsHeadWithoutARequest) {
   Body body = body_at({});
   Request request;
   request.head = HeadRequest{{1.0, 0.1}, 2.0};
@@ -118,7 +118,7 @@ TEST(Body, HasOdometryThatIsGoodButNotPerfect) {
   EXPECT_LT(worst, 1.5);
 }
 
-TEST(Body, HasTheSameOdometryErrorInEveryRunOfOneSeedAndNoneWhenAskedForNone) {
+TEST(Body, HasTheSameOdometryErrorInEachRunOfASeedAndNoErrorWithParametersOfZero) {
   Body one = body_at({}, 7);
   Body two = body_at({}, 7);
   run(one, walking(0.2, 0.05, 0.1), 5.0);
@@ -145,23 +145,23 @@ TEST(Body, SwaysWhileItWalksAndStandsStillOtherwise) {
   EXPECT_NEAR(most, BodyParameters{}.sway_roll, 0.01);
 }
 
-TEST(Body, HangsInTheAirUntilItIsPutDown) {
+TEST(Body, StaysInTheAirUntilItIsPlaced) {
   Body body = body_at(Pose2(1.0, 0.0, 0.0));
   body.pick_up();
   run(body, walking(0.25, 0.0, 0.0), 2.0);
   EXPECT_TRUE(body.ground_truth().carried);
   EXPECT_LT(felt(body).foot_load, 0.5);
   EXPECT_GT(body.torso_height(), 0.248 + 0.3);
-  EXPECT_EQ(body.pose().position.x(), 1.0) << "legs in the air do not walk";
+  EXPECT_EQ(body.pose().position.x(), 1.0) << "a lifted robot does not walk";
   const Pose2 odometry = body.odometry();
   body.put_down(Pose2(-3.2, 3.5, -1.57));
   run(body, Request{}, 0.2);
-  EXPECT_TRUE(body.ground_truth().carried) << "hands lower it";
+  EXPECT_TRUE(body.ground_truth().carried) << "the operator lowers it";
   run(body, Request{}, 1.5);
   EXPECT_FALSE(body.ground_truth().carried);
   EXPECT_GT(felt(body).foot_load, 4.0);
   EXPECT_EQ(body.pose().position, Eigen::Vector2d(-3.2, 3.5));
-  EXPECT_EQ(body.odometry().position, odometry.position) << "nobody tells the odometry";
+  EXPECT_EQ(body.odometry().position, odometry.position) << "the odometry does not measure a lift";
 }
 
 TEST(Body, IsLiftedFromTheGroundWithoutAJolt) {
@@ -200,7 +200,7 @@ TEST(Body, FallsLiesAndGetsUpOnRequest) {
   EXPECT_EQ(body.torso().pitch, 0.0);
 }
 
-TEST(Body, SlipsWhileItGetsUpWithoutNoticing) {
+TEST(Body, SlipsWhileItGetsUpWithoutMeasuringIt) {
   double turned = 0.0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Body body = body_at({}, seed);

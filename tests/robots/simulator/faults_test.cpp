@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes wrong on a real robot between the field and the program: images that never arrive, answers that come late,
-// a camera that was bent, lines that were worn away.
+// Faults of a real robot and field: lost images, late answers, a camera with a tilt error, worn lines.
 #include <algorithm>
 #include <vector>
 
@@ -20,7 +19,7 @@ Simulator simulator_with(void (*fault)(SimulatorParameters&)) {
   return {parameters, RobotBody{}, FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, kPi / 2.0), 1};
 }
 
-TEST(DroppedFrames, LeaveGapsInTimeAndNoneInTheBodysSamples) {
+TEST(DroppedFrames, LeaveGapsInTimeButNotInTheBodysSamples) {
   Simulator simulator = simulator_with([](SimulatorParameters& p) { p.dropped_frames = 0.5; });
   Observation observation;
   simulator.observe(observation);
@@ -38,7 +37,7 @@ TEST(DroppedFrames, LeaveGapsInTimeAndNoneInTheBodysSamples) {
   EXPECT_NEAR(static_cast<double>(samples), 90.0 * last, 1.0);
 }
 
-/// Seconds until the robot has moved after it was asked to walk.
+/// Seconds from a request to walk until the robot has moved.
 double reaction_time(Simulator simulator) {
   Observation observation;
   Answer answer;
@@ -51,7 +50,7 @@ double reaction_time(Simulator simulator) {
   return -1.0;
 }
 
-TEST(Latency, LetsTheBodyObeyLater) {
+TEST(Latency, DelaysRequests) {
   const double at_once = reaction_time(simulator_with([](SimulatorParameters&) {}));
   const double late = reaction_time(simulator_with([](SimulatorParameters& p) { p.latency = 0.5; }));
   ASSERT_GT(at_once, 0.0);
@@ -69,7 +68,7 @@ TEST(TiltOffset, IsUnknownToTheRobot) {
   EXPECT_TRUE(observation.upper->robot_from_camera.linear().isApprox(other.upper->robot_from_camera.linear(), 1e-9));
 }
 
-/// Share of the touchline's points that are white.
+/// Fraction of the touchline's points that are white.
 double white_share(const FieldLines& lines) {
   int white = 0, all = 0;
   for (double x = -4.4; x < 4.4; x += 0.01, ++all)
@@ -77,7 +76,7 @@ double white_share(const FieldLines& lines) {
   return static_cast<double>(white) / all;
 }
 
-TEST(WornLines, AreGoneByTheShareThatIsAskedFor) {
+TEST(WornLines, LackTheRequestedFraction) {
   EXPECT_EQ(white_share(FieldLines(FieldDimensions{})), 1.0);
   EXPECT_NEAR(white_share(FieldLines(FieldDimensions{}, 0.5)), 0.5, 0.2);
   EXPECT_EQ(white_share(FieldLines(FieldDimensions{}, 1.0)), 0.0);

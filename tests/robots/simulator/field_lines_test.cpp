@@ -9,9 +9,9 @@
 namespace reorient {
 namespace {
 
-constexpr float kSmall = 1e-3f;  // m, half a patch that fits into a line
+constexpr float kSmall = 1e-3f;  // m, half size of a patch that fits into a line
 
-TEST(FieldLines, AreWhereTheFieldDimensionsSay) {
+TEST(FieldLines, LieAtThePositionsOfTheFieldDimensions) {
   const FieldLines lines{FieldDimensions{}};
   EXPECT_NEAR(lines.cover(0.0f, 2.0f, kSmall, kSmall), 1.0f, 1e-3f) << "halfway line";
   EXPECT_NEAR(lines.cover(-4.5f, 2.5f, kSmall, kSmall), 1.0f, 1e-3f) << "goal line";
@@ -19,12 +19,12 @@ TEST(FieldLines, AreWhereTheFieldDimensionsSay) {
   EXPECT_NEAR(lines.cover(2.85f, 1.0f, kSmall, kSmall), 1.0f, 1e-3f) << "front of the penalty area";
   EXPECT_NEAR(lines.cover(-3.9f, -1.1f, kSmall, kSmall), 1.0f, 1e-3f) << "corner of the goal area";
   EXPECT_NEAR(lines.cover(3.2f, 0.0f, kSmall, kSmall), 1.0f, 1e-3f) << "penalty mark";
-  EXPECT_NEAR(lines.cover(0.53f, 0.53f, kSmall, kSmall), 1.0f, 1e-3f) << "centre circle";
+  EXPECT_NEAR(lines.cover(0.53f, 0.53f, kSmall, kSmall), 1.0f, 1e-3f) << "center circle";
   EXPECT_FLOAT_EQ(lines.cover(1.7f, 0.5f, kSmall, kSmall), 0.0f) << "plain carpet";
   EXPECT_FLOAT_EQ(lines.cover(4.8f, 1.0f, kSmall, kSmall), 0.0f) << "behind the goal line";
 }
 
-TEST(FieldLines, HaveNoGoalAreaWhereTheDimensionsHaveNone) {
+TEST(FieldLines, HaveNoGoalAreaIfTheDimensionsHaveNone) {
   FieldDimensions field;
   field.goal_area_depth = 0.0;
   EXPECT_FLOAT_EQ(FieldLines(field).cover(4.2f, 1.1f, kSmall, kSmall), 0.0f);
@@ -35,7 +35,7 @@ TEST(FieldLines, CoverHalfOfAPatchOnTheirEdge) {
   EXPECT_NEAR(lines.cover(0.025f, 2.0f, 0.01f, 0.01f), 0.5f, 1e-3f);
 }
 
-RC_GTEST_PROP(FieldLines, AreTheSameAfterHalfATurn, ()) {
+RC_GTEST_PROP(FieldLines, AreTheSameAfterARotationBy180Degrees, ()) {
   const FieldLines lines{FieldDimensions{}};
   const float x = static_cast<float>(*rc::gen::inRange(-5200, 5200)) * 1e-3f;
   const float y = static_cast<float>(*rc::gen::inRange(-3700, 3700)) * 1e-3f;

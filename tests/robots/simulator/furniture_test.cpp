@@ -83,7 +83,7 @@ Isometry3 camera_at(double x, double y, double rotation) {
   return pose;
 }
 
-TEST(Furniture, HidesWhatIsBehindItAndMovesAgainstIt) {
+TEST(Furniture, OccludesTheWallBehindItWithParallax) {
   const CameraModel camera = CameraModel::from_fields_of_view(160, 120, from_degrees(56.3), from_degrees(43.7));
   Renderer renderer(camera, FieldDimensions{}, shared_hall(), true);
   Scene scene;
@@ -104,14 +104,14 @@ TEST(Furniture, HidesWhatIsBehindItAndMovesAgainstIt) {
   EXPECT_NEAR(ahead, 6.3, 1e-3) << "its front";
   EXPECT_NEAR(renderer.frame().depth[renderer.frame().row(60) + 20], 8.4, 1e-3) << "the wall beside it";
   EXPECT_NEAR(ahead_column, 80, 13);
-  // One meter to the left it appears to the right of where the wall behind it does.
+  // Seen from one meter to the left, it appears to the right of the wall behind it.
   const auto [aside, aside_column] = nearest(camera_at(0.0, 1.0, 0.0));
   EXPECT_NEAR(aside, 6.3, 1e-3);
   EXPECT_NEAR(aside_column, 80 + camera.focal.x() / 6.3, 14);
   EXPECT_EQ(renderer.frame().labels[renderer.frame().row(60) + static_cast<std::size_t>(aside_column)], Label::wall);
 }
 
-TEST(Furniture, LooksTheSameInEveryRun) {
+TEST(Furniture, IsTheSameInEachRun) {
   const CameraModel camera = CameraModel::from_fields_of_view(160, 120, from_degrees(56.3), from_degrees(43.7));
   Renderer renderer(camera, FieldDimensions{}, shared_hall(), false);
   Scene scene;

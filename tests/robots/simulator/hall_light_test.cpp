@@ -50,7 +50,7 @@ TEST(HallLight, IsAsUsualUntilItIsChanged) {
   EXPECT_TRUE((light.gains() == 1.0).all());
 }
 
-TEST(HallLight, StaysAsUsualWhereNothingIsToChange) {
+TEST(HallLight, StaysAsUsualIfAllChangesAreZero) {
   HallLight light(HallLightParameters{}, 7.0, 1);
   light.change();
   light.advance(1.0);
@@ -59,7 +59,7 @@ TEST(HallLight, StaysAsUsualWhereNothingIsToChange) {
   EXPECT_TRUE(light.draw_patches(shared_hall()).empty());
 }
 
-TEST(HallLight, DrawsExposureAndWhiteBalanceFromAllOfTheirSpread) {
+TEST(HallLight, DrawsExposureAndWhiteBalanceFromTheirWholeRange) {
   double least = 1e9;
   double most = -1e9;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -76,7 +76,7 @@ TEST(HallLight, DrawsExposureAndWhiteBalanceFromAllOfTheirSpread) {
   EXPECT_GT(most, 0.45);
 }
 
-TEST(HallLight, LetsTheWhiteBalanceDriftWithItsDeviationAndTimeConstant) {
+TEST(HallLight, LetsTheWhiteBalanceDriftWithItsStandardDeviationAndTimeConstant) {
   HallLightParameters parameters;
   parameters.white_balance_drift = 0.06;
   parameters.white_balance_time = 15.0;
@@ -121,7 +121,7 @@ TEST(HallLight, LetsDaylightWanderToAndFro) {
   EXPECT_NEAR((from - light.illumination().daylight).norm(), 0.0f, 1e-3f);
 }
 
-TEST(Illumination, AddsItsStopsInTheMiddleOfAQuarterAndHalfOfThemAtItsEnds) {
+TEST(Illumination, AddsAllStopsInTheMiddleOfAQuarterAndHalfOfThemAtItsEnds) {
   Illumination illumination;
   illumination.daylight_stops = 1.0f;
   EXPECT_NEAR(illumination.gain(8.0f, 0.0f), 2.0f, 1e-4f);
@@ -143,7 +143,7 @@ TEST(Illumination, IsDarkerWhereTheLampsAreOff) {
       << "3 m into the dark half, 4 m below the lamps";
 }
 
-TEST(WallPatches, CoverTheShareOfTheWallThatIsToldForEverySeed) {
+TEST(WallPatches, CoverTheRequestedFractionOfTheWallForEachSeed) {
   RoomShape round;
   round.form = RoomForm::cylinder;
   for (const RoomShape& shape : {RoomShape{}, round}) {
@@ -159,7 +159,7 @@ TEST(WallPatches, CoverTheShareOfTheWallThatIsToldForEverySeed) {
   }
 }
 
-TEST(Illumination, IsTheSameAfterHalfATurnWhereItIsRepeated) {
+TEST(Illumination, IsTheSameAfterARotationBy180DegreesIfItIsRepeated) {
   Illumination illumination;
   illumination.daylight_stops = 1.0f;
   illumination.daylight = unit_vector(0.4).cast<float>();
@@ -171,7 +171,7 @@ TEST(Illumination, IsTheSameAfterHalfATurnWhereItIsRepeated) {
   EXPECT_NE(illumination.gain(8.0f, 0.0f), illumination.gain(0.0f, 6.0f));
 }
 
-TEST(WallPatches, LookTheSameAfterHalfATurnInARoomThatDoes) {
+TEST(WallPatches, AreSymmetricInASymmetricRoom) {
   for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
     Room room;
     room.shape.symmetry = symmetry;
@@ -195,7 +195,7 @@ TEST(WallPatches, LookTheSameAfterHalfATurnInARoomThatDoes) {
   }
 }
 
-TEST(WallPatches, PaintAsMuchOfTheWallAsTheySay) {
+TEST(WallPatches, PaintTheAreaThatTheyReport) {
   Room room;
   Random random(5);
   const WallPatches patches(0.2, 3.5, room, random);
@@ -219,7 +219,7 @@ TEST(WallPatches, PaintAsMuchOfTheWallAsTheySay) {
   EXPECT_NEAR(painted / (kColumns * kRows), 0.2, 0.01);
 }
 
-TEST(WallPatches, LeaveEverythingButTheWallAlone) {
+TEST(WallPatches, ChangeOnlyTheWall) {
   Room room;
   Random random(5);
   const WallPatches patches(0.5, 3.5, room, random);
@@ -233,7 +233,7 @@ TEST(WallPatches, LeaveEverythingButTheWallAlone) {
   EXPECT_EQ(blue[1], 0.4f);
 }
 
-TEST(ChangedLight, LeavesThePicturesBeforeTheChangeAsTheyWere) {
+TEST(ChangedLight, DoesNotAffectThePicturesBeforeTheChange) {
   SimulatorParameters usual = hard_simulator();
   usual.light = {};
   Simulator one(usual, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
@@ -254,7 +254,7 @@ TEST(ChangedLight, LeavesThePicturesBeforeTheChangeAsTheyWere) {
   }
 }
 
-TEST(ChangedLight, ChangesNothingWhereNothingIsToChange) {
+TEST(ChangedLight, ChangesNoPixelIfAllChangesAreZero) {
   SimulatorParameters usual = hard_simulator();
   usual.light = {};
   Simulator one(usual, RobotBody(), FieldDimensions{}, shared_hall(), Pose2(-3.2, -3.5, 0.5 * kPi), 5);
@@ -269,7 +269,7 @@ TEST(ChangedLight, ChangesNothingWhereNothingIsToChange) {
   }
 }
 
-TEST(ChangedLight, IsTheSameForOneSeedAndAnotherForAnother) {
+TEST(ChangedLight, DependsOnlyOnTheSeed) {
   Observation a;
   Observation b;
   for (const std::uint64_t other : {5u, 6u}) {
@@ -285,7 +285,7 @@ TEST(ChangedLight, IsTheSameForOneSeedAndAnotherForAnother) {
   }
 }
 
-TEST(ChangedLight, SurvivesTheAutomaticExposure) {
+TEST(ChangedLight, IsNotCompensatedByTheAutomaticExposure) {
   SimulatorParameters parameters = hard_simulator();
   parameters.light = {};
   parameters.light.exposure_spread = 0.5;
@@ -304,7 +304,7 @@ TEST(ChangedLight, SurvivesTheAutomaticExposure) {
   }
 }
 
-TEST(ChangedLight, BringsOtherPeopleAndTakesSomeAway) {
+TEST(ChangedLight, ReplacesSomeOfThePeople) {
   const auto people = [](double exchanged) {
     Spectators spectators(36, RoomShape{}, FieldDimensions{}, LinearColor::Ones(), 4);
     spectators.exchange(exchanged);

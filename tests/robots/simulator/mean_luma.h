@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How bright an image is.
+// Mean brightness of an image.
 #pragma once
 
 #include "geometry/image.h"

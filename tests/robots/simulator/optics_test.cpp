@@ -36,18 +36,18 @@ double spread(const Frame& frame) {
     first += light * i;
     second += light * i * i;
   }
-  EXPECT_NEAR(sum, 1.0, 1e-4) << "blur takes no light away";
+  EXPECT_NEAR(sum, 1.0, 1e-4) << "blur preserves the sum of the light";
   return std::sqrt(std::max(0.0, second / sum - first / sum * first / sum));
 }
 
-TEST(Optics, HandsASharpImageOnAsItIs) {
+TEST(Optics, DoNotChangeAnImageWithoutBlur) {
   const RayTable rays(lens(160));
   Optics optics(0.0, 0.0, rays);
   const Frame frame = bright_column(160);
   EXPECT_EQ(&optics.image(frame, {0.0, 0.0, 5.0}), &frame);
 }
 
-TEST(Optics, BlursByTheSameAngleAtEverySize) {
+TEST(Optics, BlurByTheSameAngleAtEachImageSize) {
   for (const int width : {160, 320, 640}) {
     const RayTable rays(lens(width));
     Optics optics(0.004, 0.0, rays);
@@ -56,7 +56,7 @@ TEST(Optics, BlursByTheSameAngleAtEverySize) {
   }
 }
 
-TEST(Optics, BlursMoreTheFasterTheHeadTurnsAndNotAtRest) {
+TEST(Optics, BlurMoreTheFasterTheHeadTurnsAndNotAtRest) {
   const RayTable rays(lens(320));
   Optics optics(0.0, 0.01, rays);
   const Frame frame = bright_column(320);
@@ -65,21 +65,21 @@ TEST(Optics, BlursMoreTheFasterTheHeadTurnsAndNotAtRest) {
   for (const double speed : {1.0, 2.0, 4.0}) {
     const double deviation = spread(optics.image(frame, {0.0, 0.0, speed}));
     EXPECT_GT(deviation, before);
-    // A box of that width, seen by pixels.
+    // A box filter of that width, sampled by pixels.
     const double width = speed * 0.01 * rays.camera.focal.x();
     EXPECT_NEAR(deviation, width / std::sqrt(12.0), 0.45) << speed << " rad/s";
     before = deviation;
   }
 }
 
-TEST(Optics, DoesNotBlurAlongAnEdgeThatMovesAlongItself) {
+TEST(Optics, DoNotBlurAnEdgeThatMovesAlongItself) {
   const RayTable rays(lens(320));
   Optics optics(0.0, 0.01, rays);
   const Frame& blurred = optics.image(bright_column(320), {0.0, 3.0, 0.0});
-  EXPECT_NEAR(spread(blurred), 0.0, 1e-3) << "a nod leaves columns as they are";
+  EXPECT_NEAR(spread(blurred), 0.0, 1e-3) << "a rotation in pitch does not blur columns";
 }
 
-TEST(Optics, StaysInsideOfThePictureAtEverySpeed) {
+TEST(Optics, StayWithinThePictureAtEachSpeed) {
   const RayTable rays(lens(160));
   Optics optics(0.02, 0.1, rays);
   const Frame frame = bright_column(160);
@@ -89,7 +89,7 @@ TEST(Optics, StaysInsideOfThePictureAtEverySpeed) {
   }
 }
 
-/// The column, with parts of a pixel, at which a row of a picture crosses from dark to bright.
+/// The column, with subpixel precision, at which a row of a picture changes from dark to bright.
 double edge_in(const Frame& frame, int row) {
   for (int i = 1; i < frame.width; ++i) {
     const double left = frame.red[frame.row(row) + static_cast<std::size_t>(i - 1)];
@@ -114,7 +114,7 @@ Room divided_room() {
   return room;
 }
 
-TEST(RollingShutter, SkewsAVerticalEdgeByReadoutTimesSpeed) {
+TEST(RollingShutter, SkewsAVerticalEdgeByReadoutTimeTimesSpeed) {
   const CameraModel camera = lens(320);
   Renderer renderer(camera, FieldDimensions{}, divided_room(), false);
   Isometry3 eye = Isometry3::Identity();
@@ -127,14 +127,14 @@ TEST(RollingShutter, SkewsAVerticalEdgeByReadoutTimesSpeed) {
     const Frame& skewed = renderer.render(eye, Scene{}, {0.0, 0.0, speed}, kReadout);
     const double share = static_cast<double>(kBottom - kTop) / camera.height;
     const double moved = edge_in(skewed, kBottom) - edge_in(skewed, kTop);
-    // Later rows are seen by a camera that has turned to the left, so what stands still is farther to the right there.
-    constexpr double kEdge = 0.6;  // pixels, as well as the edge can be found
+    // The camera turns to the left, so static things are farther to the right in later rows.
+    constexpr double kEdge = 0.6;  // pixels, precision of the edge detection
     EXPECT_NEAR(moved, share * speed * kReadout * camera.focal.x(), kEdge) << speed << " rad/s";
-    EXPECT_NEAR(edge_in(skewed, 120), edge_in(still, 120), 0.2) << "the middle row is where the pose says";
+    EXPECT_NEAR(edge_in(skewed, 120), edge_in(still, 120), 0.2) << "the middle row has the camera's pose";
   }
 }
 
-TEST(RollingShutter, MovesWhatStandsInFrontOfTheWallAsTheWall) {
+TEST(RollingShutter, SkewsThingsInFrontOfTheWallLikeTheWall) {
   const CameraModel camera = lens(320);
   Renderer renderer(camera, FieldDimensions{}, divided_room(), false);
   Isometry3 eye = Isometry3::Identity();
@@ -155,7 +155,7 @@ TEST(RollingShutter, MovesWhatStandsInFrontOfTheWallAsTheWall) {
   EXPECT_NEAR(right_side(150) - right_side(60), 90.0 / 240.0 * 4.0 * 0.03 * camera.focal.x(), 2.0);
 }
 
-TEST(Sensor, IsNoisierWhereItAmplifiesTheDark) {
+TEST(Sensor, IsNoisierIfItAmplifiesADarkImage) {
   const RayTable rays(lens(160));
   const auto noise = [&](double noise_gain, float light) {
     SensorParameters parameters;
@@ -179,7 +179,7 @@ TEST(Sensor, IsNoisierWhereItAmplifiesTheDark) {
   };
   const double at_rest = noise(0.0, 0.05f);
   EXPECT_NEAR(noise(0.0, 0.3f), at_rest, 0.1);
-  EXPECT_NEAR(noise(1.0, 0.3f), at_rest, 0.1) << "bright enough";
+  EXPECT_NEAR(noise(1.0, 0.3f), at_rest, 0.1) << "bright enough for a gain of 1";
   EXPECT_NEAR(noise(1.0, 0.05f) / at_rest, 0.17 / 0.05, 0.2);
   EXPECT_NEAR(noise(0.5, 0.05f) / at_rest, std::sqrt(0.17 / 0.05), 0.15);
 }

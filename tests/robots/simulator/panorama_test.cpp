@@ -24,8 +24,8 @@ namespace {
 constexpr int kWidth = 64;
 constexpr int kHeight = 32;
 
-/// Left half one grey, right half another; gamma-coded, three bytes a pixel.
-std::vector<std::uint8_t> two_greys(std::uint8_t left, std::uint8_t right) {
+/// A picture with two grays, in the left and in the right half; gamma-coded, three bytes per pixel.
+std::vector<std::uint8_t> two_grays(std::uint8_t left, std::uint8_t right) {
   std::vector<std::uint8_t> pixels;
   for (int i = 0; i < kWidth * kHeight; ++i) pixels.insert(pixels.end(), 3, i % kWidth < kWidth / 2 ? left : right);
   return pixels;
@@ -72,23 +72,23 @@ void expect_refused(const std::vector<std::uint8_t>& bytes, const std::string& p
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
-TEST(Panorama, TurnsTheGammaOfAPngIntoLinearLight) {
-  const LinearImage image = decode_panorama(encode_png(two_greys(0, 188)), "test");
+TEST(Panorama, ConvertsTheGammaOfAPngToLinearLight) {
+  const LinearImage image = decode_panorama(encode_png(two_grays(0, 188)), "test");
   ASSERT_EQ(image.width, kWidth);
   EXPECT_NEAR(image.at(5, 5).x(), 0.0f, 1e-3f);
   EXPECT_NEAR(image.at(60, 5).y(), 0.503f, 0.01f);
 }
 
-TEST(Panorama, TurnsTheGammaOfAJpegIntoLinearLight) {
-  const LinearImage image = decode_panorama(encode_jpeg(two_greys(20, 188)), "test");
+TEST(Panorama, ConvertsTheGammaOfAJpegToLinearLight) {
+  const LinearImage image = decode_panorama(encode_jpeg(two_grays(20, 188)), "test");
   ASSERT_EQ(image.height, kHeight);
   EXPECT_NEAR(image.at(5, 5).x(), 0.007f, 0.004f);
   EXPECT_NEAR(image.at(60, 5).z(), 0.503f, 0.02f);
 }
 
 TEST(Panorama, RefusesTruncatedPictures) {
-  auto png = encode_png(two_greys(30, 200));
-  auto jpeg = encode_jpeg(two_greys(30, 200));
+  auto png = encode_png(two_grays(30, 200));
+  auto jpeg = encode_jpeg(two_grays(30, 200));
   png.resize(png.size() / 2);
   jpeg.resize(jpeg.size() / 2);
   expect_refused(png, "again");
@@ -99,18 +99,18 @@ TEST(Panorama, RefusesTruncatedPictures) {
   expect_refused(jpeg, "again");
 }
 
-/// The picture with its last scan once more, again and again.
+/// The picture with its last scan repeated many times.
 std::vector<std::uint8_t> with_scans(std::vector<std::uint8_t> jpeg, int more) {
   const std::uint8_t begin[] = {0xff, 0xda};
   const auto last = std::find_end(jpeg.begin(), jpeg.end(), std::begin(begin), std::end(begin));
-  const std::vector<std::uint8_t> scan(last, jpeg.end() - 2);  // without the mark of the picture's end
+  const std::vector<std::uint8_t> scan(last, jpeg.end() - 2);  // without the end-of-image marker
   for (int i = 0; i < more; ++i) jpeg.insert(jpeg.end() - 2, scan.begin(), scan.end());
   return jpeg;
 }
 
 TEST(Panorama, RefusesAJpegOfAThousandScans) {
-  expect_refused(with_scans(encode_jpeg(two_greys(30, 200), TJFLAG_PROGRESSIVE), 1000), "more than 50 scans");
-  EXPECT_EQ(decode_panorama(encode_jpeg(two_greys(30, 200), TJFLAG_PROGRESSIVE), "test").width, kWidth);
+  expect_refused(with_scans(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), 1000), "more than 50 scans");
+  EXPECT_EQ(decode_panorama(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), "test").width, kWidth);
 }
 
 TEST(Panorama, RefusesSizesForWhichThereAreTooFewBytes) {
@@ -124,14 +124,14 @@ TEST(Panorama, RefusesSizesForWhichThereAreTooFewBytes) {
 }
 
 TEST(Panorama, OfTheBrightestLightThatThereCanBeBecomesARoom) {
-  // So wide that it is averaged down first.
+  // Wide enough to be averaged down first.
   const Room room = room_from(LinearImage(4160, 2080, LinearColor::Constant(1.7e38f)), "bright", RoomShape{});
   EXPECT_TRUE(room.light.isFinite().all());
   const Texture::Color wall = room.walls.sample(1.0f, 1.0f, 0);
   EXPECT_NEAR(wall[0], 0.16f, 0.01f);
 }
 
-TEST(Panorama, RefusesWhatIsNoPicture) {
+TEST(Panorama, RefusesBytesThatAreNotAPicture) {
   expect_refused({'P', '6', '\n', '1'}, "convert it");
   expect_refused({0}, "convert it");
 }

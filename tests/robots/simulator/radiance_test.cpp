@@ -44,7 +44,7 @@ Bytes encode_flat(const LinearImage& image) {
   return bytes;
 }
 
-/// In runs wherever two neighbours are alike.
+/// Run-length coded; a run for each pair of equal neighbors.
 Bytes encode_coded(const LinearImage& image) {
   Bytes bytes = header(image.width, image.height);
   for (int y = 0; y < image.height; ++y) {
@@ -80,7 +80,7 @@ LinearImage picture(int width, int height, std::uint64_t seed) {
   return image;
 }
 
-void expect_alike(const LinearImage& read, const LinearImage& written) {
+void expect_same(const LinearImage& read, const LinearImage& written) {
   ASSERT_EQ(read.width, written.width);
   ASSERT_EQ(read.height, written.height);
   for (std::size_t i = 0; i < read.pixels.size(); ++i) {
@@ -105,18 +105,18 @@ void expect_unreadable(const Bytes& bytes, const std::string& part) {
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
-TEST(Radiance, ReadsWhatWasWrittenFlat) {
+TEST(Radiance, ReadsAFlatPicture) {
   const LinearImage image = picture(64, 32, 1);
-  expect_alike(decode_radiance(encode_flat(image), "test"), image);
+  expect_same(decode_radiance(encode_flat(image), "test"), image);
 }
 
-RC_GTEST_PROP(Radiance, ReadsWhatWasWrittenInRuns, ()) {
+RC_GTEST_PROP(Radiance, ReadsARunLengthCodedPicture, ()) {
   const int height = *rc::gen::inRange(16, 40);
   const LinearImage image = picture(2 * height, height, *rc::gen::arbitrary<std::uint64_t>());
-  expect_alike(decode_radiance(encode_coded(image), "test"), image);
+  expect_same(decode_radiance(encode_coded(image), "test"), image);
 }
 
-TEST(Radiance, ReadsRowsFromTheBottomAndFromTheRight) {
+TEST(Radiance, ReadsRowsFromBottomToTopAndFromRightToLeft) {
   const LinearImage image = picture(32, 16, 3);
   Bytes bytes = encode_flat(image);
   const std::string usual = "-Y 16 +X 32";
@@ -136,7 +136,7 @@ TEST(Radiance, ToleratesCarriageReturnsAndAMissingFormatLine) {
 
 TEST(Radiance, RefusesAnEmptyFile) { expect_unreadable({}, "is not a Radiance picture"); }
 
-TEST(Radiance, RefusesAHeaderWithoutEnd) {
+TEST(Radiance, RefusesAnIncompleteHeader) {
   Bytes bytes;
   append(bytes, "#?RADIANCE");
   bytes.insert(bytes.end(), 100000, 'x');
@@ -149,7 +149,7 @@ TEST(Radiance, RefusesAnotherPixelFormat) {
   expect_unreadable(bytes, "32-bit_rle_rgbe");
 }
 
-TEST(Radiance, RefusesAbsurdSizesBeforeItTakesMemory) {
+TEST(Radiance, RefusesInvalidSizesBeforeItAllocatesMemory) {
   expect_unreadable(header(2000000000, 1000000000), "scale it");
   expect_unreadable(header(-64, -32), "scale it");
   expect_unreadable(header(64, 60), "twice as wide as high");

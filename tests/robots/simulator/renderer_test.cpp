@@ -23,7 +23,7 @@ Isometry3 standing(const Pose2& pose, const HeadAngles& head) {
   return to_isometry(pose) * robot_from_camera(RobotDimensions{}, head, TorsoAttitude{}, 0.25);
 }
 
-/// A grey box with one bright stripe on its walls, 0.1 m wide, around a wall coordinate.
+/// A gray box with one bright stripe on its walls, 0.1 m wide, around a wall coordinate.
 Room room_with_stripe(double wall_coordinate) {
   Room room;
   const double perimeter = wall_perimeter(room.shape);
@@ -50,7 +50,7 @@ Scene goals() {
   return scene;
 }
 
-/// What a standing robot sees.
+/// The view of a standing robot.
 class View {
  public:
   View(Renderer& renderer, const Pose2& pose, const HeadAngles& head, const Scene& scene)
@@ -115,7 +115,7 @@ CameraModel camera_with(CameraProjection projection, const std::vector<double>& 
   return CameraModel::from_fields_of_view(320, 240, from_degrees(width_degrees), from_degrees(height_degrees), lens);
 }
 
-/// Goals, a robot, the ball, a shadow: all around.
+/// Goals, a robot, the ball and a shadow, in all directions.
 Scene crowded() {
   Scene scene = goals();
   for (const double direction : {0.0, 1.3, 2.9, -1.8})
@@ -125,7 +125,7 @@ Scene crowded() {
   return scene;
 }
 
-/// How many of the pixels of a picture, seen where a pinhole sees them too, show something else there.
+/// Fraction of the pixels that show another thing than a pinhole does in the same direction.
 double differing_share(const CameraModel& model, const HeadAngles& head) {
   CameraModel pinhole = CameraModel::from_fields_of_view(640, 480, from_degrees(100.0), from_degrees(85.0));
   const Scene scene = crowded();
@@ -185,7 +185,7 @@ TEST(Renderer, ShowsAGoalPostBesideAndBehindAFisheye) {
   }
 }
 
-TEST(Renderer, TurnsTheRaysOfAnyLensWhileItReadsAsThoseOfAPinhole) {
+TEST(Renderer, TurnsTheRaysOfAnyLensDuringReadoutLikeThoseOfAPinhole) {
   const Eigen::Vector3d turning(0.3, -1.0, 2.0);
   for (const CameraModel& model : {camera_with(CameraProjection::fisheye, {}, 160.0, 130.0),
                                    camera_with(CameraProjection::pinhole, {0.0, 0.0, 1e-9, 0.0}, 90.0, 75.0)}) {
@@ -220,7 +220,7 @@ RC_GTEST_PROP(Renderer, MeasuresTheDepthOfTheCarpetItShows, ()) {
   RC_ASSERT(std::abs(view.depth_at(point) - view.depth_of(point)) < 0.03);
 }
 
-TEST(Renderer, TellsCarpetFloorWallAndCeilingApart) {
+TEST(Renderer, DistinguishesCarpetFloorWallAndCeiling) {
   const View level = view_in_plain_room(Pose2(0.0, 0.0, 0.0), {0.0, 0.0});
   EXPECT_EQ(level.label_at({2.0, 0.3, 0.0}), Label::carpet);
   EXPECT_EQ(level.label_at({7.5, 2.0, 0.0}), Label::floor);
@@ -230,8 +230,8 @@ TEST(Renderer, TellsCarpetFloorWallAndCeilingApart) {
 }
 
 TEST(Renderer, ShiftsANearWallMoreThanAFarOne) {
-  // The stripe is on the wall behind the goal at +x, at y = 1.4 (wall coordinate 7.8). Whoever walks towards it sees it
-  // move outwards exactly as the point on the wall projects: the room is finite.
+  // The stripe is on the wall behind the goal at +x, at y = 1.4 (wall coordinate 7.8). The room is finite, so a robot
+  // that walks toward the wall sees the stripe move outwards, exactly to the projection of the point on the wall.
   Renderer renderer(camera(), FieldDimensions{}, room_with_stripe(7.8), false);
   for (const double x : {-6.0, -2.0, 2.0, 4.0}) {
     const View view(renderer, Pose2(x, 0.0, 0.0), {}, Scene{});
@@ -269,7 +269,7 @@ int pixels_of(Label label, const Frame& frame) {
   return static_cast<int>(std::count(frame.labels.begin(), frame.labels.end(), label));
 }
 
-TEST(Renderer, HidesWhatStandsBehindARobot) {
+TEST(Renderer, HidesThingsBehindARobot) {
   Renderer renderer(camera(), FieldDimensions{}, plain_room(), true);
   const Isometry3 eye = standing(Pose2(0.0, 0.0, 0.0), {0.0, 0.1});
   Scene scene;
@@ -282,7 +282,7 @@ TEST(Renderer, HidesWhatStandsBehindARobot) {
   EXPECT_LT(pixels_of(Label::ball, frame), free / 4);
 }
 
-TEST(Renderer, StaysFiniteWhereverTheCameraIs) {
+TEST(Renderer, GivesFiniteLightAtEachCameraPose) {
   Renderer renderer(camera(), FieldDimensions{}, plain_room(), false);
   Scene scene;
   add_goals(scene, FieldDimensions{}, LinearColor::Ones());

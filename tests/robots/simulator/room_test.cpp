@@ -28,7 +28,7 @@ RoomShape round_room() {
   return shape;
 }
 
-RC_GTEST_PROP(RoomShape, GoesOnceAroundInTheWallCoordinateOfABox, ()) {
+RC_GTEST_PROP(RoomShape, HasAWallCoordinateThatRunsOnceAroundABox, ()) {
   const RoomShape shape;
   const double along = *rc::gen::inRange(0, 59200) * 1e-3;
   const Eigen::Vector2d point = wall_point(shape, along);
@@ -39,7 +39,7 @@ RC_GTEST_PROP(RoomShape, GoesOnceAroundInTheWallCoordinateOfABox, ()) {
   RC_ASSERT((wall_point(shape, along + 1e-4) - point).norm() < 1e-4 + 1e-9);
 }
 
-TEST(RoomShape, OfHalfATurnIsTheOppositePointOfTheWall) {
+TEST(RoomShape, HasTheOppositePointOfTheWallAtHalfThePerimeter) {
   for (const RoomShape& shape : {RoomShape{}, round_room()}) {
     for (double along = 0.1; along < 20.0; along += 1.3) {
       const Eigen::Vector2d opposite = wall_point(shape, along + 0.5 * wall_perimeter(shape));
@@ -48,7 +48,7 @@ TEST(RoomShape, OfHalfATurnIsTheOppositePointOfTheWall) {
   }
 }
 
-TEST(RoomShape, ThatCannotBeBuiltIsRefused) {
+TEST(RoomShape, OfInvalidSizeIsRefused) {
   RoomShape shape;
   shape.length = 3.0;
   EXPECT_THROW(procedural_hall(1, shape), std::runtime_error);
@@ -70,7 +70,7 @@ TEST(RoomShape, GrowsWithTheField) {
   EXPECT_DOUBLE_EQ(room_shape_for(field).width, RoomShape().width + 3.0);
 }
 
-TEST(RoomShape, OutsideOfTheRangesOfItsParametersIsRefused) {
+TEST(RoomShape, WithAValueOutsideOfItsRangeIsRefused) {
   const auto refusal = [](const RoomShape& shape) -> std::string {
     try {
       procedural_hall(1, shape);
@@ -92,7 +92,7 @@ TEST(RoomShape, OutsideOfTheRangesOfItsParametersIsRefused) {
   }
 }
 
-TEST(Texture, KeepsItsMeanOnEveryLevel) {
+TEST(Texture, HasTheSameMeanOnEachLevel) {
   LinearImage image(128, 64);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x)
@@ -105,7 +105,7 @@ TEST(Texture, KeepsItsMeanOnEveryLevel) {
   }
 }
 
-TEST(Texture, MeetsItselfWhereItWrapsAround) {
+TEST(Texture, IsContinuousWhereItWrapsAround) {
   LinearImage image(64, 64, LinearColor::Constant(0.5f));
   for (int y = 0; y < image.height; ++y) image.at(63, y) = LinearColor::Ones();
   const Texture texture(image, {}, {1.0, 1.0}, Texture::Edge::wrap);
@@ -113,14 +113,14 @@ TEST(Texture, MeetsItselfWhereItWrapsAround) {
   EXPECT_NEAR(color_of(texture, 0.0, 0.5, 0).x(), 0.75f, 1e-3f);
 }
 
-TEST(Texture, StaysInsideForCoordinatesABitOutside) {
+TEST(Texture, ClampsCoordinatesSlightlyOutside) {
   const Texture texture(LinearImage(64, 64, LinearColor::Constant(0.5f)), {}, {1.0, 1.0}, Texture::Edge::clamp);
   for (const double outside : {-5.0, -1e-6, 1.0 + 1e-6, 7.0}) {
     EXPECT_NEAR(color_of(texture, outside, outside, 0).x(), 0.5f, 1e-3f);
   }
 }
 
-TEST(ProceduralHall, IsTheSameForTheSameSeedAndAnotherOneForAnother) {
+TEST(ProceduralHall, DependsOnlyOnTheSeed) {
   const Room hall = procedural_hall(5, RoomShape{});
   const Room again = procedural_hall(5, RoomShape{});
   const Room other = procedural_hall(6, RoomShape{});
@@ -132,7 +132,7 @@ TEST(ProceduralHall, IsTheSameForTheSameSeedAndAnotherOneForAnother) {
   EXPECT_GT(difference, 1.0);
 }
 
-/// The greatest difference of any channel between a room and itself after `turns` quarters of a turn.
+/// Largest difference of a channel between a room and the room rotated by `turns` times 90 degrees.
 float difference_after_quarters(const Room& room, int quarters) {
   float greatest = 0.0f;
   for (int side = 0; side < 4; ++side) {
@@ -151,7 +151,7 @@ float difference_after_quarters(const Room& room, int quarters) {
   return greatest;
 }
 
-TEST(SymmetricRoom, LooksTheSameAfterHalfATurn) {
+TEST(SymmetricRoom, LooksTheSameAfterARotationBy180Degrees) {
   RoomShape shape;
   shape.symmetry = RoomSymmetry::two_fold;
   const Room room = procedural_hall(1, shape);
@@ -164,7 +164,7 @@ TEST(SymmetricRoom, LooksTheSameAfterHalfATurn) {
   }
 }
 
-TEST(SymmetricRoom, OfFourEqualWallsLooksMuchTheSameAfterAQuarter) {
+TEST(SymmetricRoom, OfFourEqualWallsLooksAboutTheSameAfterARotationBy90Degrees) {
   RoomShape shape;
   shape.width = shape.length;
   shape.symmetry = RoomSymmetry::four_fold;
@@ -180,7 +180,7 @@ LinearImage random_picture(int width, int height, std::uint64_t seed) {
   return image;
 }
 
-/// Pictures with which a room of the default size gets along, without a hall's colors.
+/// Random pictures that are valid for a room of the default size.
 RoomImages random_pictures() {
   return {random_picture(128, 64, 1), random_picture(64, 64, 2), random_picture(64, 64, 3)};
 }
@@ -216,7 +216,7 @@ TEST(SymmetryStrength, OfOneRepeatsThePicturesExactly) {
   }
 }
 
-TEST(SymmetryStrength, OfOneMakesFourEqualWallsOfTheFirst) {
+TEST(SymmetryStrength, OfOneRepeatsTheFirstWallOnAllFourWalls) {
   const RoomImages painted = random_pictures();
   const RoomImages symmetric = pictures_at(RoomSymmetry::four_fold, 1.0);
   const int first = static_cast<int>(painted.walls.width * wall_begin(RoomShape{}, 1) / wall_perimeter(RoomShape{}));
@@ -232,7 +232,7 @@ TEST(SymmetryStrength, OfOneMakesFourEqualWallsOfTheFirst) {
   }
 }
 
-TEST(SymmetryStrength, OfZeroLeavesThePicturesAsTheyAre) {
+TEST(SymmetryStrength, OfZeroDoesNotChangeThePictures) {
   const RoomImages painted = random_pictures();
   for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
     const RoomImages images = pictures_at(symmetry, 0.0);
@@ -242,7 +242,7 @@ TEST(SymmetryStrength, OfZeroLeavesThePicturesAsTheyAre) {
   }
 }
 
-TEST(SymmetryStrength, InBetweenBlendsInLinearLight) {
+TEST(SymmetryStrength, BetweenZeroAndOneBlendsInLinearLight) {
   for (const RoomSymmetry symmetry : {RoomSymmetry::two_fold, RoomSymmetry::four_fold}) {
     const RoomImages plain = pictures_at(symmetry, 0.0), symmetric = pictures_at(symmetry, 1.0);
     const RoomImages blended = pictures_at(symmetry, 0.3);
@@ -256,13 +256,13 @@ TEST(SymmetryStrength, InBetweenBlendsInLinearLight) {
   }
 }
 
-TEST(SymmetryStrength, MeansNothingInARoomWithoutSymmetry) {
+TEST(SymmetryStrength, HasNoEffectInARoomWithoutSymmetry) {
   const RoomImages painted = random_pictures();
   EXPECT_TRUE(are_equal(pictures_at(RoomSymmetry::none, 1.0).walls, painted.walls));
   EXPECT_TRUE(are_equal(pictures_at(RoomSymmetry::none, 1.0).floor, painted.floor));
 }
 
-TEST(SymmetryStrength, StepsFromThePlainHallToTheSymmetricOne) {
+TEST(SymmetryStrength, ReducesTheDifferenceAfterARotationBy180Degrees) {
   RoomShape shape;
   const auto difference = [&](double strength) {
     shape.symmetry_strength = strength;
@@ -276,7 +276,7 @@ TEST(SymmetryStrength, StepsFromThePlainHallToTheSymmetricOne) {
   EXPECT_GT(difference(0.9), 0.01f);
 }
 
-/// Where along the walls a hall with a mark differs from the same one without: meters from the wall's beginning.
+/// Range in which the wall of a hall with a mark differs from the same hall without: m from the wall's beginning.
 struct Marked {
   double first = 1e9, last = -1e9;
 };
@@ -286,7 +286,7 @@ Marked marked(const RoomShape& shape, int side) {
   const Room with = procedural_hall(1, shape), without = procedural_hall(1, plain);
   Marked range;
   const double begin = wall_begin(shape, side), end = wall_begin(shape, side + 1);
-  constexpr double kCorner = 0.03;  // m: a sample there mixes both walls
+  constexpr double kCorner = 0.03;  // m; a sample closer to a corner mixes both walls
   for (double along = begin + kCorner; along < end - kCorner; along += 0.02) {
     for (double height = 0.1; height < shape.height; height += 0.2) {
       if ((color_of(with.walls, along, height, 0) == color_of(without.walls, along, height, 0)).all()) continue;
@@ -299,7 +299,7 @@ Marked marked(const RoomShape& shape, int side) {
   return range;
 }
 
-TEST(Mark, IsOnOneSideWallOnlyAndAsWideAsItIsSet) {
+TEST(Mark, IsOnOnlyOneSideWallAndHasTheWidthThatIsSet) {
   RoomShape shape;
   shape.symmetry = RoomSymmetry::two_fold;
   for (const double width : {6.0, 0.4}) {
@@ -311,7 +311,7 @@ TEST(Mark, IsOnOneSideWallOnlyAndAsWideAsItIsSet) {
   }
 }
 
-TEST(Mark, IsTheOnlyThingThatDiffersAfterHalfATurn) {
+TEST(Mark, IsTheOnlyDifferenceAfterARotationBy180Degrees) {
   RoomShape shape;
   shape.symmetry = RoomSymmetry::two_fold;
   EXPECT_LT(difference_after_quarters(procedural_hall(1, shape), 2), 1e-3f);
@@ -351,27 +351,27 @@ TEST(Mark, IsRefusedForAPanorama) {
   }
 }
 
-TEST(ColorlessRoom, IsGreyAndAsBrightAsBefore) {
+TEST(ColorlessRoom, IsGrayAndAsBrightAsBefore) {
   RoomShape shape;
   const Room colored = procedural_hall(1, shape);
   shape.color = 0.0;
-  const Room grey = procedural_hall(1, shape);
+  const Room gray = procedural_hall(1, shape);
   for (double along = 0.5; along < 50.0; along += 3.7) {
     const Eigen::Array3f before = color_of(colored.walls, along, 2.0, 4);
-    const Eigen::Array3f after = color_of(grey.walls, along, 2.0, 4);
+    const Eigen::Array3f after = color_of(gray.walls, along, 2.0, 4);
     EXPECT_LT(after.maxCoeff() - after.minCoeff(), 2e-3f);
     EXPECT_NEAR(after.x(), 0.299f * before.x() + 0.587f * before.y() + 0.114f * before.z(), 3e-3f);
   }
 }
 
-TEST(ProceduralHall, LooksDifferentAfterHalfATurnForEverySeed) {
+TEST(ProceduralHall, LooksDifferentAfterARotationBy180DegreesForEachSeed) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     for (const RoomShape& shape : {RoomShape{}, round_room()}) {
       const Room hall = procedural_hall(seed, shape);
       const double half = 0.5 * wall_perimeter(shape);
       double sum = 0.0;
       int count = 0;
-      constexpr int kMeterWide = 6;  // the level whose texels are about a metre
+      constexpr int kMeterWide = 6;  // the level whose texels are about a meter wide
       for (double along = 0.5; along < half; along += 1.0, ++count) {
         const Eigen::Array3f here = color_of(hall.walls, along, 1.6, kMeterWide).sqrt();
         const Eigen::Array3f there = color_of(hall.walls, along + half, 1.6, kMeterWide).sqrt();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hall that tests share, since painting one takes longer than most of them.
+// The hall that tests share, because painting one takes longer than most tests.
 #pragma once
 
 #include "robots/simulator/room/room.h"

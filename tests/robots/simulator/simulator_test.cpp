@@ -51,7 +51,7 @@ TEST(Simulator, RepeatsARunOfOneSeedByteForByte) {
   }
 }
 
-TEST(Simulator, ShowsAnotherScenePerSeed) {
+TEST(Simulator, ShowsADifferentSceneForEachSeed) {
   Simulator one(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 5);
   Simulator two(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 6);
   Observation a;
@@ -61,12 +61,12 @@ TEST(Simulator, ShowsAnotherScenePerSeed) {
   EXPECT_NE(bytes_of(a.upper->image), bytes_of(b.upper->image));
 }
 
-TEST(Simulator, WhoseRoomDoesNotHoldItsCarpetIsRefused) {
+TEST(Simulator, WithARoomSmallerThanItsCarpetIsRefused) {
   RoomShape box;
   box.length = 10.0;
   RoomShape round;
   round.form = RoomForm::cylinder;
-  round.length = 12.0;  // the carpet's corners would stick out
+  round.length = 12.0;  // the carpet's corners would lie outside
   for (const RoomShape& shape : {box, round}) {
     Room room = shared_hall();
     room.shape = shape;
@@ -74,13 +74,14 @@ TEST(Simulator, WhoseRoomDoesNotHoldItsCarpetIsRefused) {
       Simulator simulator(small(), RobotBody(), FieldDimensions{}, room, kBesideTheField, 1);
       FAIL() << shape.length;
     } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("a carpet of 10.4 x 7.4 m does not lie in a "), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("room: expected space for a carpet of 10.4 x 7.4 m, found a "),
+                std::string::npos)
           << error.what();
     }
   }
 }
 
-TEST(Simulator, OfABodyHasItsCameraItsSensorsAndItsLimits) {
+TEST(Simulator, UsesTheCameraTheSensorsAndTheLimitsOfTheBody) {
   RobotBody body;
   body.upper_camera.width = 544;
   body.upper_camera.height = 448;
@@ -116,14 +117,14 @@ TEST(Simulator, OfABodyHasItsCameraItsSensorsAndItsLimits) {
   EXPECT_THROW(Simulator(parameters, body, FieldDimensions{}, shared_hall(), kBesideTheField, 1), std::runtime_error);
 }
 
-TEST(Simulator, MovesOnByOneFramePerObservation) {
+TEST(Simulator, AdvancesByOneFramePerObservation) {
   Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   for (int frame = 0; frame < 31; ++frame) simulator.observe(observation);
   EXPECT_NEAR(observation.time, 1.0, 1e-9);
 }
 
-TEST(Simulator, DeliversEveryResolutionThroughTheSameWindow) {
+TEST(Simulator, HasTheSameFieldOfViewAtEachResolution) {
   for (const int width : {640, 320, 160}) {
     SimulatorParameters parameters;
     parameters.width = width;
@@ -154,7 +155,7 @@ TEST(Simulator, LabelsTheGoalPostWhereTheObservationProjectsIt) {
   EXPECT_NEAR(simulator.depth()[index], 2.4, 0.05);
 }
 
-TEST(Simulator, KeepsLabelsAndDepthOnlyWhenAsked) {
+TEST(Simulator, GivesLabelsAndDepthOnlyOnRequest) {
   Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
@@ -162,7 +163,7 @@ TEST(Simulator, KeepsLabelsAndDepthOnlyWhenAsked) {
   EXPECT_TRUE(simulator.depth().empty());
 }
 
-TEST(Simulator, LooksTheSameInLabelsButNotInColoursAfterHalfATurn) {
+TEST(Simulator, HasTheSameLabelsButOtherColorsAfterARotationBy180Degrees) {
   SimulatorParameters parameters = small();
   parameters.labels = true;
   parameters.other_robots = 0;
@@ -204,7 +205,7 @@ TEST(Simulator, SeesGroundOrCeilingAfterAFall) {
   EXPECT_TRUE(seen.count(Label::carpet) + seen.count(Label::ceiling) > 0);
 }
 
-TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
+TEST(Simulator, LetsTheOperatorMoveTheRobot) {
   Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   simulator.observe(observation);
@@ -213,13 +214,13 @@ TEST(Simulator, LetsTheExperimenterCarryTheRobotAway) {
   for (int i = 0; i < 30; ++i) simulator.observe(observation);
   EXPECT_LT(observation.body.foot_load, 0.6);
   simulator.put_down(reflect(kBesideTheField));
-  for (int i = 0; i < 45; ++i) simulator.observe(observation);  // hands lower it
+  for (int i = 0; i < 45; ++i) simulator.observe(observation);  // the operator lowers it
   EXPECT_GT(observation.body.foot_load, 4.0);
   EXPECT_EQ(observation.odometry.position, odometry.position);
   EXPECT_LT((simulator.ground_truth().pose.position + kBesideTheField.position).norm(), 1e-9);
 }
 
-TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
+TEST(Simulator, GivesOnRequestTheLowerCameraShortlyBeforeTheUpperOne) {
   SimulatorParameters parameters = small();
   Simulator one(parameters, RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   parameters.cameras = Cameras::both;
@@ -237,12 +238,12 @@ TEST(Simulator, GivesTheLowerCameraOnDemandAMomentBeforeTheUpperOne) {
     for (int row = 0; row < a.height; ++row)
       ASSERT_TRUE(std::equal(a.row(row), a.row(row) + 2 * a.width, b.row(row))) << "the upper camera sees the same";
   }
-  // It looks at the ground before the feet: nothing but carpet and lines.
+  // It points at the ground in front of the feet.
   const Eigen::Vector3d axis = observation.lower->robot_from_camera.linear().col(0);
   EXPECT_NEAR(std::asin(-axis.z()), from_degrees(39.7), from_degrees(2.0));
 }
 
-TEST(Simulator, DarkensThePictureWhenTheExperimenterTakesLightAway) {
+TEST(Simulator, DarkensThePictureIfTheOperatorReducesTheLight) {
   Simulator simulator(small(), RobotBody(), FieldDimensions{}, shared_hall(), kBesideTheField, 1);
   Observation observation;
   double before = 1e9;
@@ -264,7 +265,7 @@ TEST(Simulator, StopsTheRobotAtAGoalPost) {
   simulator.answer(answer);
   for (int i = 0; i < 150; ++i) simulator.observe(observation);
   EXPECT_LT(simulator.ground_truth().pose.position.x(), 4.5 - 0.05 - Body::kRadius + 1e-6);
-  EXPECT_GT(observation.odometry.position.x(), 0.5) << "its feet go on";
+  EXPECT_GT(observation.odometry.position.x(), 0.5) << "its feet continue to walk";
 }
 
 TEST(Simulator, KeepsRobotsApart) {
@@ -284,7 +285,7 @@ TEST(Simulator, KeepsRobotsApart) {
   }
 }
 
-/// Stands in for the engine's list of parameters.
+/// A stand-in for the engine's list of parameters.
 struct Visitor {
   std::set<std::string> names;
   void operator()(const char* name, double& value, double least, double most, const char*, const char* text) {

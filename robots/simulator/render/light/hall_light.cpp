@@ -26,7 +26,7 @@ void HallLight::change() {
   illumination_.daylight_stops = static_cast<float>(random_.uniform(0.0, p.daylight));
   daylight_azimuth_ = random_.uniform(-kPi, kPi);
   turn_daylight();
-  // Lamps hang in rows along the walls, and a switch is for rows.
+  // Lamps hang in rows along the walls, and a switch turns off whole rows. So the dark half faces one of the walls.
   illumination_.share_off = static_cast<float>(random_.uniform() < p.lamps_off ? 1.0 - p.lamps_off_light : 0.0);
   illumination_.toward_dark = unit_vector(0.5 * kPi * static_cast<double>(random_.below(4))).cast<float>();
 }
@@ -35,7 +35,7 @@ void HallLight::advance(double time_step) {
   if (!changed_) return;
   time_ += time_step;
   turn_daylight();
-  // The process of Ornstein and Uhlenbeck, in steps of any length.
+  // An Ornstein-Uhlenbeck process, in steps of any length.
   const double kept = pinned::exp(-time_step / parameters_.white_balance_time);
   const double fresh = parameters_.white_balance_drift * std::sqrt(1.0 - kept * kept);
   red_drift_ = kept * red_drift_ + fresh * random_.normal();

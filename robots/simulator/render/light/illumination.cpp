@@ -10,7 +10,7 @@ namespace reorient {
 
 REORIENT_WIDE void Illumination::gains(std::span<const float> x, std::span<const float> y,
                                        std::span<float> gains) const {
-  constexpr float kMiddle = 3.0f;  // m around the field's centre, where daylight fades
+  constexpr float kMiddle = 3.0f;  // m around the field's center, within which daylight fades
   constexpr float kLogOfTwo = 0.693147181f;
   const auto count = static_cast<int>(gains.size());
   const float* __restrict east = x.data();

@@ -45,7 +45,7 @@ bool round_a_corner(const RoomShape& shape, double left, double right) {
   return false;
 }
 
-/// The wall that a row of pixels sees.
+/// The part of the wall that a row of pixels shows.
 struct RowRange {
   float low_u = 1e9f, high_u = -1e9f, low_v = 1e9f, high_v = -1e9f;
 };
@@ -72,12 +72,12 @@ WallPatches::WallPatches(double share, double reach, const Room& room, Random& r
   const double height = std::min(reach, shape.height);
   const bool repeated = shape.symmetry != RoomSymmetry::none;
   const double perimeter = (repeated ? 0.5 : 1.0) * wall_perimeter(shape);
-  const double wanted = share * perimeter * height;
+  const double requested = share * perimeter * height;
   std::vector<Rectangle> outlines;
-  for (int attempt = 0; attempt < kTries && area_ < wanted * (1.0 - 1e-9); ++attempt) {
+  for (int attempt = 0; attempt < kTries && area_ < requested * (1.0 - 1e-9); ++attempt) {
     const auto kind = static_cast<PatchKind>(random.below(4));
     PatchSize size = size_of(kind, height, random);
-    size.width = std::min(size.width, (wanted - area_) / size.height);  // the last one fills up what is left
+    size.width = std::min(size.width, (requested - area_) / size.height);  // the last one fills the rest
     const double left = random.uniform(0.0, perimeter - size.width);
     const double right = left + size.width;
     const double top = size.bottom + size.height;
@@ -144,7 +144,7 @@ void WallPatches::add_door(const Rectangle& outline, const LinearColor& light, R
   const double width = outline.right - outline.left;
   const double height = outline.top - outline.bottom;
   add(outline.left, outline.bottom, width, height, paint_of(random.uniform(), 0.4, 0.35) * light);
-  // Open, to a dark corridor or to the bright outside.
+  // An open door to a dark corridor or to the bright outside.
   const double beyond = random.uniform() < 0.5 ? random.uniform(0.05, 0.2) : random.uniform(0.7, 1.0);
   if (width > 3.0 * kFrame) {
     add(outline.left + kFrame, outline.bottom, width - 2.0 * kFrame, height - kFrame,
@@ -153,7 +153,7 @@ void WallPatches::add_door(const Rectangle& outline, const LinearColor& light, R
 }
 
 void WallPatches::add_projection(const Rectangle& outline, Random& random) {
-  constexpr float kBright = 0.55f;  // a projector brings its own light
+  constexpr float kBright = 0.55f;  // a projector has its own light
   const double hue = random.uniform();
   const double width = outline.right - outline.left;
   const double height = outline.top - outline.bottom;

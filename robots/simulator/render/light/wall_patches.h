@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is new on the walls: banners, doors, curtains, a projector's picture. Rectangles in front of the wall's texture,
-// so that no room has to be painted again; their edges are as soft as the pixels are large.
+// New things on the walls: banners, doors, curtains, a projector's picture. They are rectangles in front of the wall's
+// texture, so that the room need not be painted again. Their edges are as soft as the pixels are large.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace reorient {
 
-/// A row of pixels, of which some look at the wall. All arrays have `count` values.
+/// A row of pixels, some of which show the wall. All arrays have `count` values.
 struct WallRow {
   const float* u = nullptr;          ///< m, along the wall (room.h)
   const float* v = nullptr;          ///< m above the floor
-  const float* footprint = nullptr;  ///< m of wall that a pixel spans
-  const float* on_wall = nullptr;    ///< 1 where the pixel looks at the wall, else 0
+  const float* footprint = nullptr;  ///< m of the wall that a pixel spans
+  const float* on_wall = nullptr;    ///< 1 if the pixel shows the wall, else 0
   int count = 0;
 };
 
@@ -23,13 +23,12 @@ class WallPatches {
  public:
   WallPatches() = default;
 
-  /// Patches that cover `share` of the wall between the floor and `reach` metres, in colours that `room` lights.
-  /// As little as it takes is left out where they find no place. In a room that looks the same after half a turn, so do
-  /// the patches.
+  /// Patches that cover the fraction `share` of the wall between the floor and a height of `reach` meters, in the light
+  /// of `room`. They cover less only if there is no space. In a symmetric room the patches are symmetric, too.
   WallPatches(double share, double reach, const Room& room, Random& random);
 
   bool empty() const { return rectangles_.empty(); }
-  /// The wall that they cover, m^2.
+  /// Area of the wall that they cover, m^2.
   double area() const { return area_; }
 
   /// Paints over red, green and blue, `row.count` values each.

@@ -11,7 +11,7 @@
 namespace reorient {
 namespace {
 
-/// The twelve dark patches of a football lie where an icosahedron has its corners.
+/// The centers of the twelve dark patches of a football are the corners of an icosahedron.
 bool on_patch(const Eigen::Vector3f& normal) {
   constexpr float kShort = 0.525731f;
   constexpr float kLong = 0.850651f;
@@ -38,7 +38,7 @@ struct CapsuleInView {
     most = what.flat_ends ? kFar : length;
   }
 
-  /// Where a ray comes closest to the axis: metres along the ray and along the axis (anywhere on its line).
+  /// The closest points of a ray and the axis: meters along the ray and along the (infinite) line of the axis.
   struct Closest {
     float toward, cosine, sine2, anywhere, along, t;
   };
@@ -56,7 +56,7 @@ struct CapsuleInView {
     return c;
   }
 
-  /// Which of kLanes pixels from `first` on may be touched. False: none of them. Written for SIMD.
+  /// Determines which of the kLanes pixels from `first` the capsule may touch. False: none. Written for SIMD.
   template <bool perspective>
   [[gnu::always_inline]] bool find(std::size_t first, std::array<bool, kLanes>& near) const {
     float clear[kLanes];
@@ -80,12 +80,12 @@ struct CapsuleInView {
     return any;
   }
 
-  /// What kLanes pixels from `first` on show of it. Written for SIMD.
+  /// Computes what the kLanes pixels from `first` show of the capsule. Written for SIMD.
   struct Look {
     float coverage[kLanes];      // in [0, 1]
-    float between_ends[kLanes];  // share of a cylinder, in [0, 1]
+    float between_ends[kLanes];  // fraction between the ends of a cylinder, in [0, 1]
     float depth[kLanes];         // m
-    float shade[kLanes];         // factor on the colour
+    float shade[kLanes];         // factor on the color
     float normal_x[kLanes], normal_y[kLanes], normal_z[kLanes];
   };
 
@@ -118,7 +118,7 @@ struct CapsuleInView {
       const float x = (surface * direction.x() - (from.x() + along * axis.x())) / radius;
       const float y = (surface * direction.y() - (from.y() + along * axis.y())) / radius;
       const float z = (surface * direction.z() - (from.z() + along * axis.z())) / radius;
-      // Lamps above, a little more light from one side, and what the ground sends back.
+      // Light from lamps above, a little more from one side, and light that the ground reflects.
       const float shade = 0.66f + 0.34f * (x * up.x() + (y * up.y() + z * up.z())) - 0.12f * y;
       const float bright = shade > 0.2f ? shade : 0.2f;
       seen.shade[lane] = bright < 1.2f ? bright : 1.2f;
@@ -144,8 +144,8 @@ struct CapsuleInView {
   Eigen::Vector3f from;
   Eigen::Vector3f axis;
   float length = 0.0f;
-  float least = 0.0f, most = 0.0f;  // where on the axis the closest point may be; the ends of a cylinder are cut later
-  float eye_along = 0.0f;           // where the camera is along the axis, m from `from`
+  float least = 0.0f, most = 0.0f;  // limits of the closest point on the axis; the ends of a cylinder are cut later
+  float eye_along = 0.0f;           // position of the camera along the axis, m from `from`
 };
 
 template <bool perspective>

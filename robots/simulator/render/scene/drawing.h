@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What capsules, nets and shadows are drawn with: the box of pixels that they can touch, and the pixels in it.
+// Helpers for drawing capsules, nets and shadows: the box of pixels that they can touch, and loops over its pixels.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@ namespace reorient {
 
 inline constexpr float kNearest = 0.02f;  // m in front of the camera
 
-/// Pixels, all four sides included.
+/// Limits in pixels, inclusive.
 struct Box {
   int left, top, right, bottom;
 };
 
-/// The pixels that the convex hull of balls (camera frame) can touch, through a plain lens.
+/// The pixels that the convex hull of balls (camera frame) can touch, for a simple pinhole.
 class Bounds {
  public:
   explicit Bounds(const RayTable& rays) : rays_(rays), camera_(rays.camera) {}
 
   void add(const Eigen::Vector3f& center, float radius) {
-    // Beyond one side of the pyramid that the camera sees? A ball reaches over a side by more than its radius.
+    // Beyond one side of the view pyramid? The side's normal (1, steepest) has not unit length, so scale the radius.
     const auto beyond = [&](float off_axis, float steepest) {
       return off_axis - steepest * center.x() > radius * std::sqrt(1.0f + steepest * steepest);
     };
@@ -48,7 +48,7 @@ class Bounds {
         }
       }
     }
-    // A distorted straight line bends out of the box of its ends.
+    // A distorted straight line leaves the box of its ends.
     const double bend = std::min(0.25, 0.5 * std::abs(camera_.k1) + 0.5 * std::abs(camera_.k2));
     const double margin = 1.0 + bend * (right_ - left_ + bottom_ - top_) + static_cast<double>(rays_.slack);
     const auto pixel = [](double value, int count) {
@@ -63,7 +63,7 @@ class Bounds {
   void add_pixel(const Eigen::Vector3f& point) {
     const Eigen::Vector3d exact = point.cast<double>();
     const auto projected = camera_.project(exact);
-    // Where the distortion folds back the point is far outside of the image; so is its undistorted pixel.
+    // A point where the distortion folds back is far outside of the image, and so is its undistorted pixel.
     const Eigen::Vector2d pixel = projected
                                       ? *projected
                                       : Eigen::Vector2d(camera_.center.x() - camera_.focal.x() * exact.y() / exact.x(),
@@ -78,7 +78,7 @@ class Bounds {
     Eigen::Vector3f center;
     float radius;
   };
-  static constexpr std::size_t kMost = 8;  // of a net: both ends of each side
+  static constexpr std::size_t kMost = 8;  // for a net: both ends of each side
 
   const RayTable& rays_;
   const CameraModel& camera_;
@@ -94,7 +94,7 @@ class Bounds {
   double bottom_ = -1e9;
 };
 
-/// The pixels that balls (camera frame) can touch, through any lens: each ball fills a cone of directions.
+/// The pixels that balls (camera frame) can touch, for any lens: each ball fills a cone of directions.
 class Cones {
  public:
   explicit Cones(const RayTable& rays) : rays_(rays) {}
@@ -121,7 +121,7 @@ class Cones {
     }
   }
 
-  /// All within `radius` of a line, as so many balls that none of them fills a wide cone.
+  /// Adds everything within `radius` of a line, as enough balls that none of them fills a wide cone.
   void add_line(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) {
     constexpr float kWide = 0.1f;  // rad
     constexpr int kMost = 16;
@@ -160,7 +160,7 @@ inline void cover(Frame& frame, std::size_t pixel, float coverage, const LinearC
   if (!frame.labels.empty()) frame.labels[pixel] = label;
 }
 
-/// The part of a line in front of the camera. False: there is none.
+/// Clips a line to the part in front of the camera. False: the whole line is behind `nearest`.
 inline bool clip(Eigen::Vector3f& from, Eigen::Vector3f& to, float nearest) {
   if (from.x() < nearest && to.x() < nearest) return false;
   if (from.x() < nearest) from += (nearest - from.x()) / (to.x() - from.x()) * (to - from);

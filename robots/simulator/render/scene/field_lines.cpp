@@ -14,7 +14,7 @@
 namespace reorient {
 namespace {
 
-/// In [0, 1), the same for all points of a patch of ground.
+/// A number in [0, 1) that is the same for all points of a patch of ground.
 float chance_of_patch(float x, float y) {
   constexpr float kPatch = 0.25f;  // m
   const auto column = static_cast<std::int32_t>(std::floor(x / kPatch));
@@ -27,9 +27,9 @@ float chance_of_patch(float x, float y) {
 }  // namespace
 
 FieldLines::FieldLines(const FieldDimensions& field, double worn) : worn_(static_cast<float>(worn)) {
-  // Of what reaches into the quarter in which both coordinates are positive. `beside`: half of the size across.
+  // Adds lines that reach into the quarter in which both coordinates are positive. `beside`: half of the width.
   const auto add = [&](const FieldLine& line, const Eigen::Vector2d& beside) {
-    constexpr double kAcross = -1e6;  // patches reach over the folds
+    constexpr double kAcross = -1e6;  // patches extend beyond the axes of symmetry
     const Eigen::Vector2d low = line.from.cwiseMin(line.to) - beside, high = line.from.cwiseMax(line.to) + beside;
     if (high.minCoeff() <= 0.0) return;
     strips_.push_back({static_cast<float>(low.x() < 0.0 ? kAcross : low.x()), static_cast<float>(high.x()),
@@ -58,7 +58,7 @@ REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __rest
   const float* __restrict half_x = patches.half_x;
   const float* __restrict half_y = patches.half_y;
 
-  // What the whole row touches: most strips are far away from most rows.
+  // The extent of the whole row, because most strips are far away from most rows.
   float least_x = std::numeric_limits<float>::max();
   float most_x = 0.0f;
   float least_y = std::numeric_limits<float>::max();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of a small patch of ground is line: exact for straight lines under a box of any size, so that lines neither
-// flicker in the distance nor blur nearby. The field is symmetric, so one quarter of it is enough.
+// The fraction of a small patch of ground that lines cover. It is exact for straight lines and boxes of any size, so
+// that lines neither flicker in the distance nor blur nearby. The field is symmetric, so one quarter of it is enough.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// A row of ground patches: centres and half sizes along the field's axes, metres.
+/// A row of ground patches: centers and half sizes along the field's axes, meters.
 struct GroundPatches {
   const float* x = nullptr;
   const float* y = nullptr;
@@ -20,10 +20,10 @@ struct GroundPatches {
 
 class FieldLines {
  public:
-  /// `worn`: share of the lines that is gone, in patches.
+  /// `worn`: fraction of the lines that is missing, in patches.
   explicit FieldLines(const FieldDimensions& field, double worn = 0.0);
 
-  /// Writes the share of every patch that is line, in [0, 1]. Reads and writes patches.count values.
+  /// Writes the fraction of each patch that lines cover, in [0, 1]. Reads and writes patches.count values.
   void cover(const GroundPatches& patches, float* coverage) const;
 
   /// The same for one patch.

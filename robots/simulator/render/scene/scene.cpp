@@ -42,7 +42,7 @@ void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& li
     const auto front = static_cast<float>(outline[0].x()), back = static_cast<float>(outline[1].x());
     const auto half = static_cast<float>(outline[0].y());
     const auto top = static_cast<float>(field.goal_height);
-    const float roof = 0.55f * top;  // the net falls to this height behind the goal
+    const float roof = 0.55f * top;  // height of the net at the back of the goal
     for (const float side : {half, -half}) {
       bar({front, side, 0.0f}, {front, side, top}, radius, color, true);
       bar({front, side, 0.015f}, {back, side, 0.015f}, 0.015f, color, false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands on the field and around it, and how it is put together from shapes.
+// The things on the field and around it, built from shapes.
 #pragma once
 
 #include <vector>
@@ -17,23 +17,23 @@ namespace reorient {
 
 struct Scene {
   std::vector<Capsule> capsules;
-  std::vector<Panel> panels;  ///< that show the room's walls
+  std::vector<Panel> panels;  ///< show parts of the room's walls
   std::vector<Net> nets;
   std::vector<Shadow> shadows;
   Illumination illumination;
   WallPatches patches;
 
-  /// Nothing stands there any more; light and walls remain.
+  /// Removes all things; light and walls remain.
   void clear();
 };
 
-/// Both goals: posts, crossbar, net and the frame that holds it.
+/// Adds both goals: posts, crossbar, net and its frame.
 void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& light);
 
-/// The sides and the top of a box. `perimeter`: of the room's walls, m.
+/// Adds the sides and the top of a box. `perimeter`: of the room's walls, m.
 void add_furniture(Scene& scene, const FurniturePiece& piece, double perimeter);
 
-/// Of a NAO's shape and `size` times as large; `stride` in radians moves its legs and arms.
+/// Adds a robot with the shape of a NAO, `size` times as large. `stride` (rad) is the phase of legs and arms.
 void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,
                const LinearColor& light);
 
@@ -43,7 +43,7 @@ struct PersonLook {
   LinearColor shirt, trousers, skin, hair;
 };
 
-/// Somebody who stands at a place and looks to the field's centre; `height` in metres, `lean` in metres sideways.
+/// Adds a person who stands at `where` and faces the field's center. `height` in m; `lean`: m to the side.
 void add_person(Scene& scene, const Eigen::Vector2d& where, double height, double lean, const PersonLook& look);
 
 }  // namespace reorient

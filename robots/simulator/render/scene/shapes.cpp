@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-/// Of a parallelogram through a plain lens.
+/// The pixels of a parallelogram, for a simple pinhole.
 Box box_of(const std::array<Eigen::Vector3f, 4>& corners, const RayTable& rays) {
   Bounds bounds(rays);
   bool seen = false;
@@ -25,7 +25,7 @@ Box box_of(const std::array<Eigen::Vector3f, 4>& corners, const RayTable& rays) 
   return seen ? bounds.box() : Box{0, 0, -1, -1};
 }
 
-/// The same through any lens.
+/// The same for any lens.
 Box box_around(const Eigen::Vector3f& corner, const Eigen::Vector3f& along, const Eigen::Vector3f& up,
                const RayTable& rays) {
   constexpr int kStripes = 4;
@@ -54,7 +54,7 @@ struct ParallelogramInView {
     if (!rays.blocks.empty()) return box_around(corner, along, up, rays);
     return box_of({corner, corner + along, corner + along + up, corner + up}, rays);
   }
-  /// Where a ray meets its plane: multiples of the ray.
+  /// Intersection of a ray and the plane.
   float depth(const Eigen::Vector3f& ray) const { return offset / ray.dot(normal); }
   struct Place {
     float u, v;  // m from the corner along its sides
@@ -69,7 +69,7 @@ struct ParallelogramInView {
   float offset;  // of its plane from the camera, along the normal
 };
 
-/// Of a shadow through a plain lens.
+/// The pixels of a shadow, for a simple pinhole.
 Box box_of(const Shadow& shadow, const Eigen::Vector3f& center, const Eigen::Vector3f& forward,
            const Eigen::Vector3f& left, const RayTable& rays) {
   if (center.x() + shadow.radius < kNearest) return {0, 0, -1, -1};
@@ -120,7 +120,7 @@ void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_
     if (u < 0.0f || u > view.width || v < 0.0f || v > view.height) return;
     const float half = 0.5f * depth * ray_length * rays.pixel_angle;
     const float open = (1.0f - strings(u, half, view.width)) * (1.0f - strings(v, half, view.height));
-    blend(frame, pixel, 1.0f - open, net.color);  // one looks through a net: its depth and label are what is behind
+    blend(frame, pixel, 1.0f - open, net.color);  // depth and label stay those of the things behind the net
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The things in front of the background: capsules (limbs, posts, people, the ball), panels (furniture), nets
-// and shadows on the ground. Each is drawn into the box of pixels that it can touch, with soft edges and against the
-// depth of what is there.
+// Shapes in front of the background: capsules (limbs, posts, people, the ball), panels (furniture), nets and shadows on
+// the ground. Each is drawn into the box of pixels that it can touch, with soft edges and a test of the depth.
 #pragma once
 
 #include <array>
@@ -14,18 +13,18 @@
 
 namespace reorient {
 
-/// Everything within `radius` of a straight line. Metres, field frame.
+/// Everything within `radius` of a line segment. Meters, field frame.
 struct Capsule {
   Eigen::Vector3f from = Eigen::Vector3f::Zero();
   Eigen::Vector3f to = Eigen::Vector3f::Zero();
   float radius = 0.05f;
-  LinearColor color = LinearColor::Ones();  ///< as lit from above
+  LinearColor color = LinearColor::Ones();  ///< in light from above
   Label label = Label::robot;
   bool flat_ends = false;  ///< a cylinder: ends at `from` and `to`
-  bool football = false;   ///< black patches on it
+  bool football = false;   ///< has black patches
 };
 
-/// A parallelogram of string.
+/// A parallelogram of strings.
 struct Net {
   Eigen::Vector3f corner = Eigen::Vector3f::Zero();
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();  ///< one side, m
@@ -33,8 +32,8 @@ struct Net {
   LinearColor color = LinearColor::Ones();
 };
 
-/// A parallelogram that is seen from one side only, from where `up` lies to the left of `along`. It shows a part of a
-/// texture: from (u, v) on, as many metres as its sides are long.
+/// A parallelogram that is visible only from the side on which `up` lies to the left of `along`. It shows the part of a
+/// texture that starts at (u, v) and has its size in meters.
 struct Panel {
   Eigen::Vector3f corner = Eigen::Vector3f::Zero();
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();  ///< one side, m
@@ -48,15 +47,15 @@ struct Panel {
 struct Shadow {
   Eigen::Vector2f center = Eigen::Vector2f::Zero();
   float radius = 0.1f;
-  float darkness = 0.5f;  ///< in its middle, in [0, 1]
+  float darkness = 0.5f;  ///< at its center, in [0, 1]
 };
 
-/// What the camera sees of the room, as far as it can be told without looking at pixels.
+/// The view volume of the camera, for a fast test of shapes before they are drawn.
 class Frustum {
  public:
   Frustum(const RayTable& rays, const Eigen::Isometry3f& camera_from_field);
 
-  /// False: draw() would not touch a pixel.
+  /// False: draw() would change no pixel.
   bool may_show(const Capsule& capsule) const;
 
  private:
@@ -65,11 +64,11 @@ class Frustum {
   };
   Eigen::Isometry3f camera_from_field_;
   std::array<Side, 4> sides_;
-  std::optional<float> most_off_axis_;  // rad; of a lens that is not plain, whose view is no pyramid
+  std::optional<float> most_off_axis_;  // rad; for a lens that is not a simple pinhole: its view is not a pyramid
 };
 
 void draw(const Capsule& capsule, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
-/// `gain`: on the light.
+/// `gain`: factor on the light.
 void draw(const Panel& panel, const Texture& texture, float gain, const RayTable& rays,
           const Eigen::Isometry3f& camera_from_field, Frame& frame);
 void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_from_field, Frame& frame);
