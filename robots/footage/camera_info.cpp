@@ -14,7 +14,7 @@
 namespace reorient {
 namespace {
 
-/// The only place that knows the names of distortion models.
+/// Sets the lens from the name of its distortion model and its coefficients.
 void set_distortion(const messages::CameraInfo& info, CameraModel& camera) {
   const std::vector<double>& d = info.d;
   const std::string& model = info.distortion_model;
@@ -27,7 +27,7 @@ void set_distortion(const messages::CameraInfo& info, CameraModel& camera) {
         messages::in_quotes(model));
   }
   if (is_fisheye) camera.projection = CameraProjection::fisheye;
-  // Drivers write more zeros than the model has coefficients.
+  // Some drivers write more zeros than the model has coefficients.
   std::size_t count = d.size();
   const std::size_t most = is_fisheye ? 4 : 8;
   while (count > most && d[count - 1] == 0.0) --count;

@@ -13,11 +13,11 @@ constexpr double kRotationDeviation = from_degrees(5.0);  // rad
 constexpr double kBodyRate = 50.0;                        // Hz
 constexpr int kMostBodySamples = 100;
 
-/// The same pose comes as numbers with a few digits, as a quaternion, or as a matrix: rounded to what no robot
-/// measures, it is the same pose again, to the last bit.
+/// Rounds to a resolution that is finer than any measurement. Then a pose is the same to the last bit, whether it was
+/// recorded as decimal numbers, as a quaternion or as a matrix.
 double rounded(double value) {
-  constexpr double kSteps = 1 << 30;                 // of m, s, rad, pixels
-  return std::round(value * kSteps) / kSteps + 0.0;  // no zero has a sign
+  constexpr double kSteps = 1 << 30;                 // per m, s, rad, pixel
+  return std::round(value * kSteps) / kSteps + 0.0;  // + 0.0 removes the sign of -0.0
 }
 Pose2 rounded(const Pose2& pose) {
   return {rounded(pose.position.x()), rounded(pose.position.y()), rounded(pose.rotation)};
@@ -72,7 +72,7 @@ FootageRobot::FootageRobot(std::unique_ptr<FootageSource> source, const FootageO
   is_next_read_ = true;
 }
 
-/// False: there is none any more.
+/// False: the end of the footage, or an error (failure_).
 bool FootageRobot::next_frame() {
   try {
     if (!failure_.empty() || is_over_) return false;
@@ -109,12 +109,12 @@ bool FootageRobot::observe(Observation& observation) {
   observation.time = time_;
   observation.odometry = odometry_;
   const BeliefChange* const change = options_.change ? &*options_.change : nullptr;
-  // A moment on the command line has microseconds at most.
+  // A time from the command line has at most microseconds.
   const auto is_reached = [this](double moment) { return time_ > moment - 1e-6; };
   const bool is_due = change != nullptr && is_reached(change->at);
   is_carried_ = is_due && change->kind == BeliefChange::Kind::lifted && !is_reached(change->at + change->lifted_for);
   update_posture(observation);
-  // Who is lifted believes what it believed until it stands elsewhere.
+  // A lifted robot does not change its belief until it is placed.
   if (is_due && !is_carried_ && !std::exchange(is_changed_, true)) {
     belief_.apply(*change);
     if (change->kind == BeliefChange::Kind::told && truth_)
@@ -122,7 +122,7 @@ bool FootageRobot::observe(Observation& observation) {
   }
   if (!std::exchange(is_started_, true) && !truth_ && options_.start)
     observation.external.initial_pose = InitialPose{*options_.start};
-  tell_belief(observation);
+  report_belief(observation);
   if (is_carried_) return true;
   observation.upper = CameraFrame{.time = time_,
                                   .image = frame_.image.view(),
@@ -132,7 +132,7 @@ bool FootageRobot::observe(Observation& observation) {
   return true;
 }
 
-/// Nobody recorded what the feet felt: they carry the robot, unless somebody else does.
+/// Footage contains no load on the feet. So they have load unless the robot is lifted.
 void FootageRobot::update_posture(Observation& observation) {
   BodySample sample;
   sample.torso = frame_.torso;
@@ -149,7 +149,7 @@ void FootageRobot::update_posture(Observation& observation) {
   observation.body_samples = body_samples_;
 }
 
-void FootageRobot::tell_belief(Observation& observation) {
+void FootageRobot::report_belief(Observation& observation) {
   if (!truth_) return;
   const Pose2 believed = belief_.of(*truth_);
   ExternalBelief& belief = observation.belief.emplace();

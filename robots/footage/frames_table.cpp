@@ -18,8 +18,8 @@ using messages::in_quotes;
 constexpr double kFarthest = 1e4;            // m
 constexpr double kHighest = 10.0;            // m: a height in centimeters is larger
 constexpr double kMostTilted = 2.0 * kPi;    // rad
-constexpr double kMostTurned = 20.0 * kPi;   // rad: may count turns; degrees soon exceed it
-constexpr double kMostOdometryTurned = 1e6;  // rad: counted for hours
+constexpr double kMostTurned = 20.0 * kPi;   // rad: may count full turns; degrees soon exceed it
+constexpr double kMostOdometryTurned = 1e6;  // rad: may count turns for hours
 constexpr std::size_t kMostRows = 10'000'000;
 constexpr std::size_t kMostCells = 1000;
 
@@ -28,24 +28,24 @@ struct Unit {
   double factor;
 };
 constexpr Unit kSeconds[] = {{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
-constexpr Unit kMetres[] = {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}};
+constexpr Unit kMeters[] = {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}};
 constexpr Unit kAngles[] = {{"rad", 1.0}, {"deg", kPi / 180.0}};
 
-/// As FrameColumn.
+/// A column, in the order of FrameColumn.
 struct ColumnKind {
   std::string_view name;
   std::span<const Unit> units;
-  double most;  // in the first unit
+  double most;  // largest absolute value, in the first unit
 };
 constexpr double kLatest = 1e12;  // s
 constexpr std::array<ColumnKind, kFrameColumns> kColumns{{{"time", kSeconds, kLatest},
-                                                          {"x", kMetres, kFarthest},
-                                                          {"y", kMetres, kFarthest},
+                                                          {"x", kMeters, kFarthest},
+                                                          {"y", kMeters, kFarthest},
                                                           {"rotation", kAngles, kMostTurned},
-                                                          {"odometry_x", kMetres, kFarthest},
-                                                          {"odometry_y", kMetres, kFarthest},
+                                                          {"odometry_x", kMeters, kFarthest},
+                                                          {"odometry_y", kMeters, kFarthest},
                                                           {"odometry_rotation", kAngles, kMostOdometryTurned},
-                                                          {"camera_height", kMetres, kHighest},
+                                                          {"camera_height", kMeters, kHighest},
                                                           {"roll", kAngles, kMostTilted},
                                                           {"pitch", kAngles, kMostTilted},
                                                           {"camera_yaw", kAngles, kMostTilted}}};
@@ -57,7 +57,7 @@ std::string units_text(std::span<const Unit> units) {
   return text;
 }
 
-/// Where in a row a column's number stands, and what it is multiplied with.
+/// The cell of a column in each row, and the factor on its numbers.
 struct Place {
   std::size_t cell = 0;
   double factor = 1.0;
@@ -78,7 +78,7 @@ class FramesParser {
     return table_headers(headers);
   }
 
-  /// After read_headers().
+  /// Call it after read_headers().
   std::vector<FrameRow> read_rows() {
     require_together({FrameColumn::x, FrameColumn::y, FrameColumn::rotation}, true);
     require_together({FrameColumn::odometry_x, FrameColumn::odometry_y, FrameColumn::odometry_rotation}, false);
@@ -109,7 +109,7 @@ class FramesParser {
     return best;
   }
 
-  /// Into cells_; quotes as RFC 4180 has them.
+  /// Reads a line into cells_, with quotes as in RFC 4180.
   void read_line() {
     line_ = next_line_;
     cells_.assign(1, "");
@@ -166,7 +166,7 @@ class FramesParser {
     }
   }
 
-  /// As the caller said.
+  /// Uses the header that the caller passed for a column.
   void name_column(const std::string& column, const std::string& header) {
     const std::size_t colon = header.rfind(':');
     const bool is_image = column == kImage;
@@ -177,26 +177,26 @@ class FramesParser {
     if (is_image) return take_image(cell);
     const auto kind =
         std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& one) { return one.name == column; });
-    if (kind == kColumns.end()) refuse("there is no column of the name " + in_quotes(column));
+    if (kind == kColumns.end()) refuse("unknown column " + in_quotes(column) + " (expected " + names_text() + ")");
     const auto unit_called = [&](std::string_view name) {
       return std::find_if(kind->units.begin(), kind->units.end(), [&](const Unit& one) { return one.name == name; });
     };
     const std::size_t underscore = title.rfind('_');
     auto unit = underscore == std::string::npos ? kind->units.end() : unit_called(title.substr(underscore + 1));
     if (colon != std::string::npos) {
-      const std::string_view told = std::string_view(header).substr(colon + 1);
-      if (unit != kind->units.end() && unit->name != told)
-        refuse(in_quotes(title) + ": expected " + in_quotes(unit->name) + " as its unit, as its name says, found " +
-               in_quotes(told));
-      unit = unit_called(told);
+      const std::string_view given = std::string_view(header).substr(colon + 1);
+      if (unit != kind->units.end() && unit->name != given)
+        refuse(in_quotes(title) + ": expected the unit of its name, " + in_quotes(unit->name) + ", found " +
+               in_quotes(given));
+      unit = unit_called(given);
       if (unit == kind->units.end())
-        refuse("expected a unit of " + column + " (" + units_text(kind->units) + "), found " + in_quotes(told));
+        refuse("expected a unit of " + column + " (" + units_text(kind->units) + "), found " + in_quotes(given));
     }
     take(static_cast<std::size_t>(kind - kColumns.begin()), cell,
          unit == kind->units.end() ? kind->units.front().factor : unit->factor);
   }
 
-  /// A column that the caller does not want is not missing.
+  /// A column that the caller excludes is not missing.
   TableHeaders table_headers(const ColumnHeaders& headers) const {
     TableHeaders table;
     for (std::size_t cell = 0; cell < headers_.size(); ++cell) {
@@ -211,6 +211,12 @@ class FramesParser {
         table.missing.push_back(std::string(kColumns[i].name) + "_" + std::string(unit.name));
     }
     return table;
+  }
+
+  static std::string names_text() {
+    std::string text{kImage};
+    for (const ColumnKind& kind : kColumns) text.append(", ").append(kind.name);
+    return text;
   }
 
   std::string headers_text() const {
@@ -234,7 +240,7 @@ class FramesParser {
 
   bool has(FrameColumn column) const { return places_[static_cast<std::size_t>(column)].is_there; }
 
-  /// `last_alone`: the rotation is of use alone.
+  /// `last_alone`: the rotation may be the only one of the three.
   void require_together(const std::array<FrameColumn, 3>& columns, bool last_alone) const {
     const bool x = has(columns[0]), y = has(columns[1]), rotation = has(columns[2]);
     if (x == y && (y == rotation || (last_alone && !x))) return;
@@ -244,8 +250,8 @@ class FramesParser {
       names.append(names.empty() ? "" : ", ").append(name);
       if (!has(column) && missing.empty()) missing = name;
     }
-    refuse("expected all of the columns " + names + ", or none of them, found " + headers_text() + "; --column " +
-           missing + "=HEADER[:UNIT] names one that is called otherwise");
+    refuse("expected all of the columns " + names + ", or none of them, found " + headers_text() +
+           "; if a column has another name, use --column " + missing + "=HEADER[:UNIT]");
   }
 
   FrameRow row_of_line() const {
@@ -277,7 +283,7 @@ class FramesParser {
     refuse(in_quotes(headers_[place.cell]) + ": expected at most " + most.str() + " " +
            std::string(kind.units.front().name) + ", found " + in_quotes(cells_[place.cell]) +
            "; a header ends with the unit, as in " + std::string(kind.name) + "_" +
-           std::string(kind.units[1].name));  // the likeliest of the others
+           std::string(kind.units[1].name));  // the most likely other unit
   }
 
   double number(std::string cell, const std::string& header) const {

@@ -25,13 +25,13 @@ bool same_calibration(const messages::CameraInfo& a, const messages::CameraInfo&
          a.region.width == b.region.width && a.region.height == b.region.height;
 }
 
-/// Rounded once, though times since 1970 in ns have more digits than a double.
+/// Converts with only one rounding error, because times since 1970 in ns have more digits than a double.
 double seconds_of(Time time) {
   const Time whole = time / messages::kSecond, rest = time % messages::kSecond;
   return static_cast<double>(whole) + static_cast<double>(rest) / 1e9;
 }
 
-/// Position and yaw.
+/// Position and yaw of a motion.
 Pose2 planar_part(const Isometry3& motion) {
   return {motion.translation().x(), motion.translation().y(), direction_of({motion(0, 0), motion(1, 0)})};
 }
@@ -148,11 +148,10 @@ bool LogFrames::next(FootageFrame& frame) {
 
 bool LogFrames::is_late(const WaitingImage& image) {
   if (!last_frame_ || image.time > *last_frame_) return false;
-  constexpr Time kLatest = 10 * messages::kSecond;  // beyond this a clock was set, not a message delayed
+  constexpr Time kLatest = 10 * messages::kSecond;  // an earlier time means that a clock was set, not a late message
   if (image.time < *last_frame_ - kLatest) {
-    throw BadFootage("expected times that increase, found one that is " +
-                     std::to_string((*last_frame_ - image.time) / messages::kSecond) +
-                     " s before that of the frame before");
+    throw BadFootage("expected increasing times, found a time " +
+                     std::to_string((*last_frame_ - image.time) / messages::kSecond) + " s before the previous frame");
   }
   ++counts_.out_of_order;
   return true;
@@ -176,7 +175,7 @@ std::optional<Isometry3> LogFrames::base_from_camera(const WaitingImage& waiting
 std::optional<Isometry3> LogFrames::posed_at(const Posed& posed, Time time) const {
   std::optional<Isometry3> motion = posed.motion.at(time, options_.limits);
   if (!motion || posed.child.empty() || posed.child == plain_frame(options_.base_frame)) return motion;
-  // The pose of another part of the robot; where the log does not connect it to the base, it stands for the base.
+  // The pose of another part of the robot. If the log does not connect it to the base, use it as the base's pose.
   const auto child_from_base = transforms_.find(posed.child, options_.base_frame, time, options_.limits);
   if (child_from_base) motion = *motion * *child_from_base;
   return motion;
@@ -237,8 +236,7 @@ bool LogFrames::make_frame(WaitingImage& waiting, FootageFrame& frame) {
     frame.image = image_of(*raw);
   } else if (const auto* const compressed = std::get_if<messages::CompressedImage>(&waiting.message.message)) {
     if (!options_.decode_image)
-      throw BadFootage("expected an uncompressed image, found one of format " +
-                       messages::in_quotes(compressed->format));
+      throw BadFootage("expected an uncompressed image, found the format " + messages::in_quotes(compressed->format));
     frame.image = options_.decode_image(compressed->data, waiting.message.where);
   }
   set_camera(waiting, frame.image.width(), frame.image.height(), frame);

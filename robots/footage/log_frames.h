@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Builds frames of footage from the messages of a robot log: images, calibration, transforms, poses, odometry and
-// attitude that were recorded independently of each other. Transforms and poses are interpolated at each image's time.
+// attitude, recorded independently of each other. Transforms and poses are interpolated at the time of each image.
 #pragma once
 
 #include <cstddef>
@@ -28,69 +28,69 @@ enum class CameraAxes {
   body,     ///< x forward, y left, z up
 };
 
-/// Axes x right, y down, z forward in axes x forward, y left, z up.
+/// The rotation from optical axes (x right, y down, z forward) to body axes (x forward, y left, z up).
 Isometry3 body_from_optical();
 
 struct LogFrameOptions {
   std::string field_frame = "map";
   std::string odometry_frame = "odom";
   std::string base_frame = "base_link";  ///< of the robot; x forward
-  std::string camera_frame;              ///< empty: the frame that each image names, else its calibration
+  std::string camera_frame;              ///< empty: the frame that each image names, or else its calibration
   CameraAxes camera_axes = CameraAxes::optical;
 
   std::optional<CameraModel> camera;          ///< instead of the log's calibration
-  std::optional<Isometry3> base_from_camera;  ///< our camera frame; instead of the log's transforms
-  double base_height = 0.0;                   ///< m, of the base above the ground where the log has planar poses
-  bool prefer_pose_topic = false;             ///< to the transform from the base frame to the field frame
+  std::optional<Isometry3> base_from_camera;  ///< of the camera with body axes; instead of the log's transforms
+  double base_height = 0.0;                   ///< m, of the base above the ground, if the log has planar poses
+  bool prefer_pose_topic = false;             ///< over the transform from the base frame to the field frame
 
   MotionLimits limits;
-  double wait = 0.5;  ///< s that an image waits for messages that were recorded after it; bounds their disorder, too
+  double wait = 0.5;  ///< s that an image waits for messages recorded after it; also the largest delay of a message
   ImageDecoder decode_image;  ///< of compressed images
 };
 
-/// What became of a log's messages.
+/// Statistics of a log's messages.
 struct LogCounts {
   std::uint64_t images = 0;
   std::uint64_t frames = 0;
   std::uint64_t without_camera_pose = 0;  ///< images without a transform from the camera to the base
   std::uint64_t without_calibration = 0;  ///< images before the first camera info
-  std::uint64_t out_of_order = 0;         ///< images that are not later than the frame before
-  std::uint64_t invalid_motions = 0;      ///< transforms and poses that are no rigid motion
+  std::uint64_t out_of_order = 0;         ///< images that are not later than the previous frame
+  std::uint64_t invalid_motions = 0;      ///< transforms and poses that are not rigid motions
 };
 
-/// A decoded message and where it comes from.
+/// A decoded message and its origin.
 struct LogMessage {
   std::string where;            ///< "/camera/image, message 12", for errors and names
-  messages::Time log_time = 0;  ///< when it was recorded
-  messages::Content content{};  ///< what it is used for
+  messages::Time log_time = 0;  ///< time of recording
+  messages::Content content{};  ///< type of its data
   TransformTree::Validity validity = TransformTree::Validity::limited;  ///< of transforms
-  bool rectified = false;                                               ///< of an image: it is undistorted
+  bool rectified = false;                                               ///< of an image: whether it is undistorted
   messages::Message message;
 };
 
 /// The robot frame has its origin on the ground below the base frame, and z up. Position and yaw of the base become the
-/// frame's pose; height, roll and pitch become part of robot_from_camera. These come from the pose in the field, else
-/// from the odometry. A pose without any roll and pitch counts as planar: then the attitude comes from the Imu, and
-/// where the height is 0 as well, it is `base_height`.
+/// frame's pose; height, roll and pitch become part of robot_from_camera. They come from the pose in the field, or else
+/// from the odometry. A pose with zero roll and pitch counts as planar. Then the attitude comes from the Imu, and a
+/// height of 0 is replaced by `base_height`.
 ///
-/// The torso's attitude is that of the Imu, else roll and pitch of the pose.
+/// The torso's attitude comes from the Imu, or else from roll and pitch of the pose.
 ///
-/// An image is left out, and counted, where the log has no calibration yet or no transform from its camera to the base,
-/// and where it comes too late. Images without a time have that of their recording, if no image has a time.
+/// An image is skipped and counted if the log has no calibration yet, if it has no transform from its camera to the
+/// base, or if the image comes too late. If no image has a time, the time of recording is used.
 class LogFrames {
  public:
   explicit LogFrames(LogFrameOptions options) : options_(std::move(options)) {}
 
-  /// Messages in the order of their log times.
+  /// Adds a message. Messages must come in the order of their log times.
   void add(LogMessage message);
-  /// There are no further messages: no image waits any longer.
+  /// Ends the input, so that images no longer wait for messages.
   void finish() { finished_ = true; }
 
-  /// The next frame. False: it depends on further messages, or there are none. Throws BadFootage.
+  /// Builds the next frame. False: it needs further messages, or all images are used. Throws BadFootage.
   bool next(FootageFrame& frame);
 
   const LogCounts& counts() const { return counts_; }
-  /// Why there is no frame, for an error message; empty: there were frames.
+  /// Why the log gave no frame, for an error message; empty if it gave frames.
   std::string reason_of_no_frame() const;
 
  private:
@@ -103,7 +103,7 @@ class LogFrames {
     messages::Time log_time;
     messages::CameraInfo info;
   };
-  struct Posed {  // a pose topic
+  struct Posed {  // motion from a pose topic
     std::string frame, child;
     MotionTrack motion;
   };

@@ -17,7 +17,7 @@ struct Encoding {
   PixelFormat format;
 };
 
-// As sensor_msgs/image_encodings.hpp and foxglove.RawImage name them.
+// Names from sensor_msgs/image_encodings.hpp and foxglove.RawImage.
 constexpr std::array kEncodings = std::to_array<Encoding>({
     {"rgb8", PixelFormat::rgb},
     {"bgr8", PixelFormat::bgr},

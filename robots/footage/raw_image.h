@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uncompressed images of logs, converted to ours.
+// Converts uncompressed images of logs.
 #pragma once
 
 #include "geometry/image.h"
@@ -7,8 +7,8 @@
 
 namespace reorient {
 
-/// An image of odd width loses its last column. Throws BadFootage where the encoding is unknown, or the data do not fit
-/// width, height, encoding and step.
+/// An image of odd width loses its last column. Throws BadFootage if the encoding is unknown, or the size of the data
+/// does not match width, height, encoding and step.
 Image image_of(const messages::RawImage& raw);
 
 }  // namespace reorient

@@ -18,7 +18,7 @@ double seconds_between(Time from, Time to) { return 1e-9 * static_cast<double>(t
 Isometry3 interpolated(const Isometry3& before, const Isometry3& after, double fraction) {
   const Eigen::Quaterniond first(before.linear());
   Eigen::Quaterniond second(after.linear());
-  if (first.dot(second) < 0.0) second.coeffs() = -second.coeffs();  // the shorter of the two ways
+  if (first.dot(second) < 0.0) second.coeffs() = -second.coeffs();  // take the shorter rotation
   const Eigen::Quaterniond between((1.0 - fraction) * first.coeffs() + fraction * second.coeffs());
   Isometry3 motion = Isometry3::Identity();
   motion.linear() = between.normalized().toRotationMatrix();
@@ -38,7 +38,7 @@ std::optional<Eigen::Matrix3d> rotation_of(const messages::Quaternion& quaternio
 
 std::optional<Isometry3> isometry_of(const messages::Motion& motion) {
   const std::optional<Eigen::Matrix3d> rotation = rotation_of(motion.rotation);
-  constexpr double kFarthest = 1e8;  // m; map coordinates may be those of a whole country
+  constexpr double kFarthest = 1e8;  // m; map coordinates may cover a whole country
   if (!rotation || !motion.translation.allFinite()) return std::nullopt;
   if (motion.translation.cwiseAbs().maxCoeff() > kFarthest) return std::nullopt;
   Isometry3 isometry = Isometry3::Identity();
@@ -113,10 +113,10 @@ std::optional<Isometry3> TransformTree::find(std::string_view target, std::strin
                                              const MotionLimits& limits) const {
   struct Ancestor {
     std::string_view frame;
-    Isometry3 from_start;  // this frame from that where the walk began
+    Isometry3 from_start;  // this frame from the first one
   };
   const auto ancestors_of = [&](std::string_view frame) {
-    constexpr std::size_t kDeepest = 1000;  // a longer chain is a circle
+    constexpr std::size_t kDeepest = 1000;  // a longer chain is a cycle
     std::vector<Ancestor> all{{frame, Isometry3::Identity()}};
     while (all.size() < kDeepest) {
       const auto it = edges_.find(all.back().frame);

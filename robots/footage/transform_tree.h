@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coordinate frames of a robot log and the rigid motions between them over time, as ROS's tf and Foxglove define them:
-// each frame has at most one parent.
+// Coordinate frames of a robot log and the rigid motions between them over time. As in ROS's tf and in Foxglove, each
+// frame has at most one parent.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace reorient {
 
-/// Empty: a number is not finite or absurdly large, or the quaternion is not of length 1.
+/// Empty if a number is not finite or too large, or if the quaternion has not length 1.
 std::optional<Isometry3> isometry_of(const messages::Motion& motion);
 std::optional<Eigen::Matrix3d> rotation_of(const messages::Quaternion& quaternion);
 
-/// How far from a sample in time a rigid motion may be used.
+/// Limits in time for the use of samples of a rigid motion.
 struct MotionLimits {
-  double max_gap = 1.0;  ///< s, between two samples, for interpolation
-  double max_age = 0.2;  ///< s, from a sample, where there is no interpolation
+  double max_gap = 1.0;  ///< s, between two samples for interpolation
+  double max_age = 0.2;  ///< s, from a single sample without interpolation
 };
 
 /// One rigid motion over time: the samples of the last 30 s.
@@ -32,10 +32,10 @@ class MotionTrack {
   void add(messages::Time time, const Isometry3& motion);
   void clear() { samples_.clear(); }
 
-  /// Interpolated between the two neighbors of `time`, linearly (quaternions by their normalized sum); else that of the
-  /// nearest sample. Empty: no sample is near enough.
+  /// The motion at `time`, interpolated linearly between its two neighbors (quaternions by their normalized sum), or
+  /// else the nearest sample. Empty if no sample is within the limits.
   std::optional<Isometry3> at(messages::Time time, const MotionLimits& limits) const;
-  /// The last sample before `time`, else the first one; empty: there is no sample.
+  /// The last sample before `time`, or else the first one; empty without samples.
   std::optional<Isometry3> latest(messages::Time time) const;
 
  private:
@@ -49,19 +49,19 @@ class MotionTrack {
 class TransformTree {
  public:
   enum class Validity {
-    limited,  ///< as MotionLimits say: transforms of ROS
-    lasting,  ///< until the next one: transforms of Foxglove
-    fixed,    ///< at all times: ROS's /tf_static
+    limited,  ///< within MotionLimits: transforms of ROS
+    lasting,  ///< until the next transform: Foxglove
+    fixed,    ///< always: /tf_static of ROS
   };
 
-  /// False: the transform is invalid and ignored. Throws BadFootage where there are more frames than in any robot.
+  /// False: the transform is invalid and ignored. Throws BadFootage for more than 10000 frames.
   bool add(const messages::Transform& transform, Validity validity);
 
-  /// target_from_source. Empty: the two frames are not connected at `time`.
+  /// The motion target_from_source. Empty if the two frames are not connected at `time`.
   std::optional<Isometry3> find(std::string_view target, std::string_view source, messages::Time time,
                                 const MotionLimits& limits) const;
 
-  /// The names of all frames, for an error message.
+  /// Names of the frames, for an error message.
   std::string names() const;
 
  private:
@@ -73,7 +73,7 @@ class TransformTree {
   std::map<std::string, Edge, std::less<>> edges_;  // by child
 };
 
-/// Without the leading '/' of old versions of ROS.
+/// The name without the leading '/' of old versions of ROS.
 std::string_view plain_frame(std::string_view name);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The errors of the decoders: one line with the byte, the value, what was expected and what was found.
+// Errors of the decoders: one line with the byte offset, the value, what was expected and what was found.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace reorient::messages {
   throw BadFootage("byte " + std::to_string(byte) + ": " + problem);
 }
 
-/// `text` of a file for a line of an error message: control characters and bytes beyond ASCII become '?', a long text
-/// is cut.
+/// Makes `text` of a file printable in one line of an error message: replaces control characters and bytes beyond ASCII
+/// by '?' and truncates long text.
 inline std::string printable(std::string_view text) {
   constexpr std::size_t kLongest = 200;
   std::string line;
@@ -27,7 +27,7 @@ inline std::string printable(std::string_view text) {
   return line;
 }
 
-/// Of a message's field `name`. Zeros if the field is missing.
+/// The matrix from a message's field `name`; zeros if the field is missing.
 template <std::size_t Size>
 std::array<double, Size> matrix_of(const std::vector<double>& numbers, const std::string& name) {
   std::array<double, Size> matrix{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text as bytes (RFC 4648).
+// Decodes base64 (RFC 4648).
 #pragma once
 
 #include <string_view>

@@ -45,12 +45,13 @@ class CdrReader {
 
   std::vector<double> double_sequence(const char* what);
   std::string text(const char* what);
-  /// Points into the message.
+  /// The result points into the message.
   std::span<const std::byte> bytes(const char* what);
-  /// The number of elements that follow, each of which takes at least `least` bytes: memory for them may be reserved.
+  /// The number of elements that follow, each of at least `least` bytes. It is checked against the rest of the message,
+  /// so the caller may reserve memory for them.
   std::size_t sequence_length(std::size_t least, const char* what);
 
-  /// Ignores a value.
+  /// Skips a value.
   void skip(std::size_t size, std::size_t alignment, const char* what) { aligned(size, alignment, what); }
 
   std::size_t offset() const { return offset_; }  ///< bytes from the start of the message

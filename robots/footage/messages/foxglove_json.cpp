@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A parsed value takes many times the memory of its text, so size and depth are limited.
+/// Size and depth are limited, because a parsed value takes many times the memory of its text.
 Json parse(std::span<const std::byte> message) {
   constexpr std::size_t kLargest = 64u << 20;
   constexpr int kDeepest = 16;
@@ -40,7 +40,7 @@ Json parse(std::span<const std::byte> message) {
   throw BadFootage(field + ": expected " + expected + ", found " + (found != nullptr ? found->type_name() : "nothing"));
 }
 
-/// Null where it is missing.
+/// Null if the field is missing.
 const Json* find(const Json& object, const char* name) {
   const auto it = object.find(name);
   return it == object.end() ? nullptr : &*it;

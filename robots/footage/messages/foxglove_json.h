@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages of Foxglove's schemas in JSON. Each function throws BadFootage with the field at which a message is not what
-// its schema defines. Time and frame may be missing.
+// Decodes messages of Foxglove's schemas in JSON. Each function throws BadFootage with the field at which a message
+// violates its schema. Time and frame may be missing.
 #pragma once
 
 #include <cstddef>

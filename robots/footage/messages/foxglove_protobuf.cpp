@@ -22,7 +22,7 @@ Time read_time(ProtobufReader in) {
   return seconds * kSecond + nanoseconds;
 }
 
-/// Of Vector3 and Quaternion, whose fields have the numbers 1, 2, ...
+/// Reads Vector3 and Quaternion, whose fields have the numbers 1, 2, ...
 template <std::size_t Size>
 std::array<double, Size> read_numbers(ProtobufReader in, const char* what) {
   std::array<double, Size> numbers{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages of Foxglove's schemas in Protocol Buffers. Each function throws BadFootage with the byte and the field at
-// which a message is not what its schema defines. As in all Protocol Buffers a missing field has its default, and
+// Decodes messages of Foxglove's schemas in Protocol Buffers. Each function throws BadFootage with the byte and the
+// field at which a message violates its schema. As always in Protocol Buffers, a missing field has its default, and
 // unknown fields are ignored.
 #pragma once
 

@@ -41,7 +41,7 @@ constexpr std::array kTypes = std::to_array<MessageType>({
     {"foxglove.PoseInFrame", kProtobuf, Content::pose, decoded<foxglove_protobuf::pose_in_frame>},
 });
 
-/// "sensor_msgs/Image", as some writers name it, is "sensor_msgs/msg/Image".
+/// Whether a schema names the type. Some writers write "sensor_msgs/Image" for "sensor_msgs/msg/Image".
 bool is_named(const MessageType& type, std::string_view schema) {
   if (type.schema == schema) return true;
   constexpr std::string_view kMiddle = "/msg/";

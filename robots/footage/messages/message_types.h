@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The message types that footage can be read from, and what each is good for.
+// The message types from which footage can be read, and the data that each contains.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ constexpr int enum_count(Content) { return 6; }
 const char* name_of(Content content);  ///< "image topic" ...
 
 struct MessageType {
-  std::string_view schema;    ///< as in the file: "sensor_msgs/msg/Image"
+  std::string_view schema;    ///< name in the file: "sensor_msgs/msg/Image"
   std::string_view encoding;  ///< "cdr", "json", "protobuf"
   Content content;
   Message (*decode)(std::span<const std::byte> message);  ///< throws BadFootage
@@ -24,9 +24,9 @@ struct MessageType {
 
 std::span<const MessageType> message_types();
 
-/// Null: not read here. ROS names are accepted without "/msg/", too.
+/// Null: the type is not supported. ROS names are also accepted without "/msg/".
 const MessageType* find_message_type(std::string_view schema, std::string_view encoding);
-/// Whether it is read in some encoding; which, for an error message: "cdr", "json or protobuf".
+/// The supported encodings of a schema, for an error message: "cdr", "json or protobuf"; empty: not supported.
 std::string encodings_of(std::string_view schema);
 
 }  // namespace reorient::messages

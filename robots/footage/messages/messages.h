@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The messages of robot logs that footage is made of, as plain values. ROS 2 and Foxglove name them differently and
-// write them differently; the decoders beside this file map both to these structs.
+// The messages of robot logs from which footage is built, as plain structs. ROS 2 and Foxglove have different names and
+// formats for them; the decoders beside this file convert both to these structs.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline constexpr Time kSecond = 1000000000;
 using Bytes = std::vector<std::byte>;
 
 struct Header {
-  Time time = 0;      ///< when the data were measured; 0: unknown
+  Time time = 0;      ///< time of the measurement; 0: unknown
   std::string frame;  ///< the coordinate frame of the data
 };
 
@@ -38,28 +38,28 @@ struct RawImage {
 /// sensor_msgs/CompressedImage, foxglove.CompressedImage.
 struct CompressedImage {
   Header header;
-  std::string format;  ///< "jpeg", "png", or the text of ROS: "rgb8; jpeg compressed bgr8"
+  std::string format;  ///< "jpeg", "png", or in ROS "rgb8; jpeg compressed bgr8"
   Bytes data;          ///< a whole image file
 };
 
 /// sensor_msgs/CameraInfo, foxglove.CameraCalibration.
 struct CameraInfo {
   Header header;
-  std::uint32_t width = 0, height = 0;  ///< pixels, at which K and P hold
+  std::uint32_t width = 0, height = 0;  ///< pixels, image size for which K and P are valid
   std::string distortion_model;         ///< "plumb_bob" ...
   std::vector<double> d;                ///< distortion coefficients
   std::array<double, 9> k{};            ///< intrinsics of the raw image, by rows; k[0] = 0: not calibrated
   std::array<double, 12> p{};           ///< projection of the rectified image, by rows
   struct {
     std::uint32_t x_offset = 0, y_offset = 0, width = 0, height = 0;  ///< pixels; a width of 0: the whole image
-  } region;                                                           ///< that the camera read out
+  } region;                                                           ///< part of the sensor in the image
 };
 
 struct Quaternion {
   double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
 };
 
-/// As published: it may be invalid (not finite, or a quaternion of length 0).
+/// A motion as it was published. It may be invalid (not finite, or a quaternion of length 0).
 struct Motion {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< m
   Quaternion rotation;
@@ -72,7 +72,7 @@ struct Transform {
   Motion parent_from_child;
 };
 
-/// More in one message are refused: a field of 2 bytes can stand for one.
+/// Messages with more transforms are refused, because a transform may take only 2 bytes of a message.
 inline constexpr std::size_t kMostTransforms = 100000;
 
 /// tf2_msgs/TFMessage, foxglove.FrameTransform and FrameTransforms.
@@ -83,14 +83,14 @@ struct Transforms {
 /// geometry_msgs/PoseStamped and PoseWithCovarianceStamped, foxglove.PoseInFrame, nav_msgs/Odometry.
 struct Pose {
   Header header;
-  std::string child;  ///< the frame whose pose it is; empty: not part of the message
+  std::string child;  ///< the frame that has this pose; empty: not part of the message
   Motion pose;
 };
 
 /// sensor_msgs/Imu.
 struct Imu {
   Header header;
-  /// World from sensor; its yaw may start anywhere. Empty: the sensor does not estimate it.
+  /// World from sensor; its yaw may have any offset. Empty: the sensor does not estimate it.
   std::optional<Quaternion> orientation;
 };
 

@@ -71,7 +71,7 @@ CameraInfo camera_info(std::span<const std::byte> message) {
   info.k = in.doubles<9>("k");
   in.doubles<9>("r");
   info.p = in.doubles<12>("p");
-  in.number<std::uint32_t>("binning_x");  // the image's own size tells
+  in.number<std::uint32_t>("binning_x");  // not needed, because the image has its own size
   in.number<std::uint32_t>("binning_y");
   info.region.x_offset = in.number<std::uint32_t>("roi.x_offset");
   info.region.y_offset = in.number<std::uint32_t>("roi.y_offset");
@@ -128,7 +128,7 @@ Imu imu(std::span<const std::byte> message) {
   in.doubles<9>("angular_velocity_covariance");
   in.doubles<3>("linear_acceleration");
   in.doubles<9>("linear_acceleration_covariance");
-  constexpr double kNotEstimated = -1.0;  // in covariance[0], as the message's definition says
+  constexpr double kNotEstimated = -1.0;  // in covariance[0], by the definition of the message
   if (covariance[0] != kNotEstimated) imu.orientation = orientation;
   return imu;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages of ROS 2 in CDR. Each function throws BadFootage with the byte and the field at which a message is not what
-// its type defines; bytes after the last field are ignored, because some middlewares pad messages.
+// Decodes messages of ROS 2 in CDR. Each function throws BadFootage with the byte and the field at which a message
+// violates its type. Bytes after the last field are ignored, because some middlewares pad messages.
 #pragma once
 
 #include <cstddef>

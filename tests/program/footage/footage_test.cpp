@@ -209,7 +209,7 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
       {{"--column", "tume=t"}, "unknown column 'tume' (did you mean 'time'?)"},
       {{"--column", "time=stamp"}, "frames.csv:1: expected a column 'stamp' for time"},
       {{"--column", "x_m=x"}, "unknown column 'x_m'; there are image, time, x, y"},
-      {{"--column", "pitch=pitch_rad:deg"}, "'pitch_rad': expected 'rad' as its unit, as its name says, found 'deg'"},
+      {{"--column", "pitch=pitch_rad:deg"}, "'pitch_rad': expected the unit of its name, 'rad', found 'deg'"},
       {{"--frames", table_with("pitch_rad", "pich_deg")}, "found 'pich_deg' (did you mean 'pitch_deg'?)"},
       {{"--frames", table_with(",rotation_rad", ",roation_rad")}, "found 'roation_rad' (did you mean 'rotation_rad'?)"},
       {{"--frames", table_with("pitch_rad", "pitch")}, "found 'pitch' (did you mean 'pitch_rad'?)"},

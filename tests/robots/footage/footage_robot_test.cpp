@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot behind a footage: what it observes, what it believes, and what becomes of that when the engine decides.
+// The robot that footage drives: its observations, its belief, and the effect of the engine's commands on the belief.
 #include "robots/footage/footage_robot.h"
 
 #include <memory>
@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-/// Frames from a list; then the end, or a damage.
+/// Frames from a list; then the end, or an error.
 class ListedFrames : public FootageSource {
  public:
   explicit ListedFrames(std::vector<FootageFrame> frames, std::string damage = "")
@@ -43,7 +43,7 @@ FootageFrame frame_at(double time, const Pose2& pose) {
   return frame;
 }
 
-/// So many, half a second apart, each a little farther on.
+/// Frames at intervals of 0.5 s, in each of which the robot has moved by 0.1 m.
 std::vector<FootageFrame> walk(int frames) {
   std::vector<FootageFrame> all;
   all.reserve(static_cast<std::size_t>(frames));
@@ -82,7 +82,7 @@ TEST(FootageRobot, BelievesTheRecordedPoseAndBeginsAtTimeZero) {
   EXPECT_EQ(robot.failure(), "");
 }
 
-TEST(FootageRobot, MayBeShownAtAnotherRate) {
+TEST(FootageRobot, UsesTheRequestedRate) {
   FootageOptions options;
   options.images_per_second = 10.0;
   FootageRobot robot = robot_of(walk(3), options);
@@ -93,7 +93,7 @@ TEST(FootageRobot, MayBeShownAtAnotherRate) {
   }
 }
 
-TEST(FootageRobot, IsToldAMirroredPoseAndCarriesOutAFlip) {
+TEST(FootageRobot, ReceivesAMirroredInitialPoseAndCarriesOutAFlip) {
   FootageOptions options;
   options.change = BeliefChange{.at = 0.5, .mirrored = true};
   FootageRobot robot = robot_of(walk(4), options);
@@ -110,7 +110,7 @@ TEST(FootageRobot, IsToldAMirroredPoseAndCarriesOutAFlip) {
   expect_pose(observation.belief->pose, Pose2(1.2, 0.5, 0.2));
 }
 
-TEST(FootageRobot, TakesAMomentThatWasRoundedToMicroseconds) {
+TEST(FootageRobot, AcceptsATimeThatWasRoundedToMicroseconds) {
   FootageOptions options;
   options.change = BeliefChange{.at = 0.5000004, .mirrored = true};
   FootageRobot robot = robot_of(walk(4), options);
@@ -121,7 +121,7 @@ TEST(FootageRobot, TakesAMomentThatWasRoundedToMicroseconds) {
   EXPECT_TRUE(observation.external.initial_pose);
 }
 
-TEST(FootageRobot, IsToldARotationThatIsOff) {
+TEST(FootageRobot, ReceivesAnInitialPoseWithAWrongRotation) {
   FootageOptions options;
   options.change = BeliefChange{.at = 0.0, .turned_by = 0.3};
   FootageRobot robot = robot_of(walk(1), options);
@@ -130,7 +130,7 @@ TEST(FootageRobot, IsToldARotationThatIsOff) {
   expect_pose(observation.belief->pose, Pose2(1.0, 0.5, 0.5));
 }
 
-TEST(FootageRobot, IsOfTwoMindsAfterAResetUntilAPurge) {
+TEST(FootageRobot, HasTwoHypothesesAfterAResetUntilAPurge) {
   FootageRobot robot = robot_of(walk(3));
   Observation observation;
   ASSERT_TRUE(robot.observe(observation));
@@ -144,7 +144,7 @@ TEST(FootageRobot, IsOfTwoMindsAfterAResetUntilAPurge) {
   EXPECT_TRUE(observation.belief->particles.empty());
 }
 
-TEST(FootageRobot, SeesNothingWhileItIsLiftedAndBelievesWhatItBelieved) {
+TEST(FootageRobot, HasNoImagesAndAnUnchangedBeliefWhileItIsLifted) {
   FootageOptions options;
   options.change = BeliefChange{.kind = BeliefChange::Kind::lifted, .at = 0.5, .mirrored = true, .lifted_for = 1.0};
   FootageRobot robot = robot_of(walk(5), options);
@@ -167,7 +167,7 @@ TEST(FootageRobot, SeesNothingWhileItIsLiftedAndBelievesWhatItBelieved) {
   expect_pose(observation.belief->pose, reflect(robot.truth()->pose));
 }
 
-TEST(FootageRobot, StandsAtOnePlaceWhereItsRotationAloneWasRecorded) {
+TEST(FootageRobot, StaysAtOnePositionIfOnlyItsRotationWasRecorded) {
   std::vector<FootageFrame> frames = walk(2);
   for (FootageFrame& frame : frames) {
     frame.heading = frame.pose->rotation + frame.time;
@@ -183,7 +183,7 @@ TEST(FootageRobot, StandsAtOnePlaceWhereItsRotationAloneWasRecorded) {
   expect_pose(observation.odometry, Pose2(2.0, 1.0, 100.2));
 }
 
-TEST(FootageRobot, LeavesTheLocalizationToTheEngineWhereNoPoseWasRecorded) {
+TEST(FootageRobot, LeavesTheLocalizationToTheEngineIfNoPoseWasRecorded) {
   std::vector<FootageFrame> frames = walk(2);
   for (FootageFrame& frame : frames) frame.pose.reset();
   frames[1].odometry = Pose2(0.1, 0.0, 0.0);
@@ -201,7 +201,7 @@ TEST(FootageRobot, LeavesTheLocalizationToTheEngineWhereNoPoseWasRecorded) {
   expect_pose(observation.odometry, Pose2(0.1, 0.0, 0.0));
 }
 
-TEST(FootageRobot, KnowsTheTruthOnlyInFramesWithAPose) {
+TEST(FootageRobot, HasGroundTruthOnlyInFramesWithAPose) {
   std::vector<FootageFrame> frames = walk(3);
   frames[1].pose.reset();
   FootageRobot robot = robot_of(frames, {});
@@ -213,7 +213,7 @@ TEST(FootageRobot, KnowsTheTruthOnlyInFramesWithAPose) {
   }
 }
 
-TEST(FootageRobot, EndsWhereItsFootageIsDamagedAndSaysWhy) {
+TEST(FootageRobot, EndsAtDamagedFootageAndReportsTheReason) {
   FootageRobot robot(std::make_unique<ListedFrames>(walk(1), "kitchen.mcap: it ends in the middle of a chunk"), {});
   Observation observation;
   EXPECT_TRUE(robot.observe(observation));
@@ -222,14 +222,14 @@ TEST(FootageRobot, EndsWhereItsFootageIsDamagedAndSaysWhy) {
   EXPECT_EQ(robot.failure(), "kitchen.mcap: it ends in the middle of a chunk");
 }
 
-TEST(FootageRobot, IsNoneWithoutAnyFrame) {
+TEST(FootageRobot, RequiresAFrame) {
   EXPECT_THROW(robot_of({}), BadFootage);
   FootageOptions options;
   options.skipped = 2;
   EXPECT_THROW(robot_of(walk(2), options), BadFootage);
 }
 
-TEST(FootageRobot, GoesOnWithTheSameTimesWhereFramesArePassedOver) {
+TEST(FootageRobot, KeepsTheTimesOfFramesAfterSkippedFrames) {
   FootageOptions options;
   options.skipped = 2;
   FootageRobot robot = robot_of(walk(4), options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of a footage: what is read, and that everything else is refused in one line which says where.
+// Tables of footage: what is read, and that all other text is refused with one line that names the position.
 #include "robots/footage/frames_table.h"
 
 #include <string>
@@ -18,7 +18,7 @@ std::vector<FrameRow> rows_of(std::string_view text, const ColumnHeaders& header
   return parse_frames(text, kName, headers);
 }
 
-/// What is thrown; empty: it was taken.
+/// The message of the exception; empty: the table was accepted.
 std::string refusal_of(std::string_view text, const ColumnHeaders& headers = {}) {
   try {
     static_cast<void>(rows_of(text, headers));
@@ -28,7 +28,7 @@ std::string refusal_of(std::string_view text, const ColumnHeaders& headers = {})
   return "";
 }
 
-TEST(FramesTable, HoldsAPoseACameraAndDeadReckoningForEachImage) {
+TEST(FramesTable, HasAPoseACameraAndDeadReckoningForEachImage) {
   const auto rows = rows_of(
       "image,time_s,x_m,y_m,rotation_rad,odometry_x_m,odometry_y_m,odometry_rotation_rad,camera_height_m,roll_rad,"
       "pitch_rad\n"
@@ -43,11 +43,11 @@ TEST(FramesTable, HoldsAPoseACameraAndDeadReckoningForEachImage) {
   EXPECT_EQ(rows[0].odometry()->rotation, -0.5);
   const Isometry3 camera = rows[0].robot_from_camera(0.4);
   EXPECT_EQ(camera.translation(), Eigen::Vector3d(0.0, 0.0, 0.6));
-  EXPECT_LT(camera.linear()(2, 0), -0.19);  // looks down
+  EXPECT_LT(camera.linear()(2, 0), -0.19);  // it points down
   EXPECT_GT(camera.linear()(2, 1), 0.09);   // its left side is up
 }
 
-TEST(FramesTable, MayBeWrittenAsSpreadsheetsInOtherCountriesDo) {
+TEST(FramesTable, MayHaveSemicolonsAndDecimalCommas) {
   const auto rows = rows_of(
       "\xEF\xBB\xBFimage;time_ms;x_cm;y_cm;rotation_deg\r\n"
       "\"a;b.jpg\";500,5;100;-20,5;90\r\n"
@@ -59,7 +59,7 @@ TEST(FramesTable, MayBeWrittenAsSpreadsheetsInOtherCountriesDo) {
   EXPECT_NEAR(rows[0].pose()->rotation, kPi / 2.0, 1e-12);
 }
 
-TEST(FramesTable, MayCallItsColumnsOtherwise) {
+TEST(FramesTable, MayHaveOtherColumnNames) {
   const auto rows = rows_of("file\tstamp\tyaw\tnoise\na.png\t1500000000\t90\tx\n",
                             {{"image", "file"}, {"time", "stamp:ns"}, {"rotation", "yaw:deg"}});
   ASSERT_EQ(rows.size(), 1u);
@@ -78,7 +78,7 @@ TEST(FramesTable, TakesTheUnitOfANamedColumnFromItsHeader) {
   EXPECT_FALSE(rows_of("time_s,pitch_rad\n1,1\n", {{"pitch", ""}}).at(0).value(FrameColumn::pitch)) << "left out";
 }
 
-TEST(FramesTable, MayLeaveOutWhatIsNotKnown) {
+TEST(FramesTable, MayHaveEmptyCellsForUnknownValues) {
   const auto rows = rows_of("image,time_s,x_m,y_m,rotation_rad\na,1,,,\nb,2,1,1,1\n");
   EXPECT_FALSE(rows[0].pose());
   EXPECT_TRUE(rows[1].pose());
@@ -90,7 +90,7 @@ struct BadTable {
   ColumnHeaders headers{};
 };
 
-TEST(FramesTable, SaysInOneLineWhatIsWrongAndWhere) {
+TEST(FramesTable, ReportsAnErrorInOneLineWithItsPosition) {
   const BadTable tables[] = {
       {"", "frames.csv:1: expected a line of column headers, found an empty file"},
       {"image,time_s\n", "frames.csv:1: expected a row for each image, found none"},
@@ -113,7 +113,7 @@ TEST(FramesTable, SaysInOneLineWhatIsWrongAndWhere) {
       {"image,x_m,y_m\na,1,2\n", "frames.csv:1: expected all of the columns x, y, rotation, or none of them"},
       {"image,x_m,y_m,yaw_rad\na,1,2,3\n",
        "frames.csv:1: expected all of the columns x, y, rotation, or none of them, found 'image', 'x_m', 'y_m', "
-       "'yaw_rad'; --column rotation=HEADER[:UNIT] names one that is called otherwise"},
+       "'yaw_rad'; if a column has another name, use --column rotation=HEADER[:UNIT]"},
       {"image,odometry_rotation_rad\na,1\n", "frames.csv:1: expected all of the columns odometry_x"},
       {"image,time_s,time_ms\na,1,1\n", "frames.csv:1: expected one column for time, found two"},
       {"image,image\na,1\n", "frames.csv:1: expected one column with images, found two"},
@@ -138,7 +138,7 @@ TEST(FramesTable, MayHaveAMillionRows) {
   EXPECT_EQ(rows_of(text).size(), static_cast<std::size_t>(kRows));
 }
 
-/// A sound table with some bytes changed, cut off behind one of them.
+/// A valid table with some bytes changed, truncated at a random position.
 std::string damaged_table() {
   std::string text = "image,time_s,x_m,y_m,rotation_rad\na.jpg,1,2,3,4\n\"b\"\"c\",2,3,4,5\n";
   const int changes = *rc::gen::inRange(0, 5);
@@ -148,7 +148,7 @@ std::string damaged_table() {
   return text.substr(0, *rc::gen::inRange<std::size_t>(0, text.size() + 1));
 }
 
-RC_GTEST_PROP(FramesTable, IsReadOrRefusedWhateverIsInIt, ()) {
+RC_GTEST_PROP(FramesTable, WithAnyBytesIsReadOrRefused, ()) {
   const std::string text = *rc::gen::oneOf(rc::gen::exec(damaged_table), rc::gen::arbitrary<std::string>());
   const std::string refusal = refusal_of(text);
   RC_ASSERT(refusal.empty() || refusal.starts_with("frames.csv:"));

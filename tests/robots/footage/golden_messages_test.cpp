@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages as the libraries of others write them (write_golden_messages.mjs), decoded.
+// Decodes messages that other libraries have written (write_golden_messages.mjs).
 #include <string>
 
 #include <gtest/gtest.h>
@@ -147,13 +147,13 @@ TEST(GoldenMessages, FoxglovePose) {
   }
 }
 
-TEST(GoldenMessages, AreWhatTheTestsThemselvesWrite) {
+TEST(GoldenMessages, AreTheSameAsThoseThatTheTestsWrite) {
   EXPECT_EQ(ros_image(messages::ros::image(golden("image.cdr"))), golden("image.cdr"));
   EXPECT_EQ(ros_compressed_image(messages::ros::compressed_image(golden("compressed_image.cdr"))),
             golden("compressed_image.cdr"));
   EXPECT_EQ(ros_transforms(messages::ros::transforms(golden("transforms.cdr"))), golden("transforms.cdr"));
   EXPECT_EQ(ros_pose_stamped(messages::ros::pose_stamped(golden("pose_stamped.cdr"))), golden("pose_stamped.cdr"));
-  // These lose values that are not read: their size remains.
+  // These types have values that are not read, so only the sizes are compared.
   EXPECT_EQ(ros_camera_info(messages::ros::camera_info(golden("camera_info.cdr"))).size(),
             golden("camera_info.cdr").size());
   EXPECT_EQ(ros_odometry(messages::ros::odometry(golden("odometry.cdr"))).size(), golden("odometry.cdr").size());

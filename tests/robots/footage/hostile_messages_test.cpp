@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Damaged and invented messages: BadFootage with one line, or a message that is not larger than its bytes.
+// Damaged and random messages: the result is BadFootage with one line, or a message that is not larger than its bytes.
 #include <string>
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace {
 
 using messages::Bytes;
 
-/// Bytes on the heap, about.
+/// Approximate number of bytes on the heap.
 std::size_t size_of(const messages::Message& message) {
   return std::visit(
       [](const auto& content) -> std::size_t {
@@ -107,7 +107,7 @@ RC_GTEST_PROP(HostileMessages, FlippedBitsAreRefusedOrRead, ()) {
   RC_ASSERT(survives(bytes, file.encoding));
 }
 
-RC_GTEST_PROP(HostileMessages, InventedBytesAreRefusedOrRead, (const std::vector<std::uint8_t>& numbers)) {
+RC_GTEST_PROP(HostileMessages, RandomBytesAreRefusedOrRead, (const std::vector<std::uint8_t>& numbers)) {
   Bytes bytes;
   for (const std::uint8_t number : numbers) bytes.push_back(static_cast<std::byte>(number));
   for (const char* const encoding : {"cdr", "protobuf", "json"}) RC_ASSERT(survives(bytes, encoding));
@@ -125,7 +125,7 @@ std::string error_of(const Bytes& bytes, messages::Message (*decode)(std::span<c
   return {};
 }
 
-TEST(HostileMessages, ErrorsSayWhereAndWhat) {
+TEST(HostileMessages, ErrorsNameThePositionAndTheProblem) {
   messages::RawImage image{{5, "camera"}, 4, 2, "rgb8", 12, Bytes(24)};
   Bytes bytes = ros_image(image);
   bytes.pop_back();
@@ -136,21 +136,21 @@ TEST(HostileMessages, ErrorsSayWhereAndWhat) {
   EXPECT_EQ(error_of({}, decode), "byte 0: expected a CDR header of 4 bytes, found 0");
 }
 
-TEST(HostileMessages, AHugeLengthAllocatesNothing) {
+TEST(HostileMessages, AHugeLengthAllocatesNoMemory) {
   CdrWriter out(ByteOrder::little);
   out.number(std::uint32_t{0xFFFFFFFF});
   const auto decode = messages::find_message_type("tf2_msgs/msg/TFMessage", "cdr")->decode;
   EXPECT_EQ(error_of(out.take(), decode), "byte 4: transforms: expected at most 0 elements, found 4294967295");
 }
 
-TEST(HostileMessages, AMatrixOfAnotherSizeIsRefused) {
+TEST(HostileMessages, AMatrixOfAWrongSizeIsRefused) {
   const std::string text = R"({"width": 4, "height": 2, "K": [1, 2, 3]})";
   const auto characters = std::as_bytes(std::span(text));
   const auto decode = messages::find_message_type("foxglove.CameraCalibration", "json")->decode;
   EXPECT_EQ(error_of({characters.begin(), characters.end()}, decode), "K: expected 9 numbers, found 3");
 }
 
-TEST(Base64, IsTheInverseOfThatOfOthers) {
+TEST(Base64, DecodesTheOutputOfAnotherLibrary) {
   const auto text_of = [](std::string_view base64) {
     const Bytes bytes = messages::bytes_of_base64(base64);
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -63,7 +63,7 @@ LogMessage imu(double seconds, const Eigen::Matrix3d& rotation) {
   return message(Content::imu, seconds, messages::Imu{{at(seconds), "imu"}, quaternion(rotation)});
 }
 
-/// A camera 0.4 m above the base and 0.1 m ahead of it, which looks along the base's x axis.
+/// A camera 0.4 m above the base and 0.1 m in front of it, which points along the base's x axis.
 LogMessage mount() {
   return transform("base_link", "optical", 0.0, {0.1, 0.0, 0.4}, body_from_optical().linear(), Validity::fixed);
 }
@@ -83,7 +83,7 @@ FootageFrame only_frame(LogFrameOptions options, std::vector<LogMessage> message
   return all.empty() ? FootageFrame{} : all[0];
 }
 
-TEST(LogFrames, OpticalAxesBecomeOurs) {
+TEST(LogFrames, ConvertOpticalAxesToBodyAxes) {
   const Eigen::Matrix3d rotation = body_from_optical().linear();
   EXPECT_EQ(rotation * Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY()) << "right";
   EXPECT_EQ(rotation * Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitZ()) << "down";
@@ -108,7 +108,7 @@ TEST(LogFrames, HaveThePoseOfTheirTransforms) {
   EXPECT_TRUE(frame.robot_from_camera.linear().isApprox(Eigen::Matrix3d::Identity(), 1e-9));
 }
 
-TEST(LogFrames, PutRollAndPitchOfTheBaseIntoTheCameraPose) {
+TEST(LogFrames, IncludeRollAndPitchOfTheBaseInTheCameraPose) {
   const Eigen::Matrix3d tilt = rotation_about_y(0.2) * rotation_about_x(-0.1);
   const FootageFrame frame =
       only_frame({}, {mount(), camera_info(1.0),
@@ -123,7 +123,7 @@ TEST(LogFrames, PutRollAndPitchOfTheBaseIntoTheCameraPose) {
   EXPECT_NEAR(frame.torso.pitch, 0.2, 1e-9);
 }
 
-TEST(LogFrames, TakeTheAttitudeOfThePlanarOnesFromTheImu) {
+TEST(LogFrames, WithPlanarPosesTakeTheAttitudeFromTheImu) {
   LogFrameOptions options;
   options.base_height = 0.25;
   const Eigen::Matrix3d tilt = rotation_about_y(0.2) * rotation_about_x(-0.1);
@@ -156,7 +156,7 @@ TEST(LogFrames, InterpolateAtTheTimeOfTheImage) {
   EXPECT_FALSE(frames.next(frame));
 }
 
-TEST(LogFrames, UseAPoseTopicWhereTransformsDoNotTellThePose) {
+TEST(LogFrames, UseAPoseTopicIfTransformsDoNotContainThePose) {
   const std::vector<LogMessage> log{
       mount(), camera_info(1.0), pose(Content::pose, 1.0, "map", {3.0, 4.0, 0.0}, rotation_about_z(1.0)), image(1.0)};
   const FootageFrame frame = only_frame({}, log);
@@ -204,7 +204,7 @@ TEST(LogFrames, WithoutPoseAndOdometryStandOnTheGround) {
   EXPECT_EQ(frame.torso.pitch, 0.0);
 }
 
-TEST(LogFrames, LeaveOutAndCountImagesWithoutCameraPoseOrCalibration) {
+TEST(LogFrames, SkipAndCountImagesWithoutCameraPoseOrCalibration) {
   LogFrames frames({});
   frames.add(image(1.0));
   frames.add(image(2.0));
@@ -222,7 +222,7 @@ TEST(LogFrames, LeaveOutAndCountImagesWithoutCameraPoseOrCalibration) {
   EXPECT_NE(frames.reason_of_no_frame().find("'optical' to base frame 'base_link'"), std::string::npos);
 }
 
-TEST(LogFrames, PutImagesInTheOrderOfTheirTimes) {
+TEST(LogFrames, SortImagesByTime) {
   LogFrameOptions options;
   options.base_from_camera = Isometry3::Identity();
   LogFrames frames(options);
@@ -237,7 +237,7 @@ TEST(LogFrames, PutImagesInTheOrderOfTheirTimes) {
   EXPECT_EQ(frames.counts().out_of_order, 1u);
 }
 
-TEST(LogFrames, LeaveOutAnImageThatComesAfterALaterFrame) {
+TEST(LogFrames, SkipAnImageThatComesAfterALaterFrame) {
   LogFrameOptions options;
   options.base_from_camera = Isometry3::Identity();
   LogFrames frames(options);
@@ -265,7 +265,7 @@ TEST(LogFrames, RefuseAClockThatWasSetBack) {
   EXPECT_THROW(frames.next(frame), BadFootage);
 }
 
-TEST(LogFrames, WithoutTimesHaveThoseOfTheirRecording) {
+TEST(LogFrames, WithoutTimesUseTheTimeOfRecording) {
   LogFrameOptions options;
   options.base_from_camera = Isometry3::Identity();
   const auto times_of = [&](const std::vector<double>& stamps) {
@@ -281,7 +281,7 @@ TEST(LogFrames, WithoutTimesHaveThoseOfTheirRecording) {
   EXPECT_EQ(times_of({0.0, 0.1, 0.2}), (std::vector<double>{0.0, 0.1, 0.2})) << "simulated time begins at 0";
 }
 
-TEST(LogFrames, DecodeCompressedImagesByTheGivenFunction) {
+TEST(LogFrames, DecodeCompressedImagesWithTheGivenFunction) {
   LogFrameOptions options;
   options.base_from_camera = Isometry3::Identity();
   const messages::CompressedImage compressed{{at(1.0), "optical"}, "jpeg", messages::Bytes(3)};
@@ -305,7 +305,7 @@ TEST(LogFrames, DecodeCompressedImagesByTheGivenFunction) {
     frames.next(none);
     ADD_FAILURE() << "there is no decoder";
   } catch (const BadFootage& bad) {
-    EXPECT_STREQ(bad.what(), "/topic, message 1: expected an uncompressed image, found one of format 'jpeg'");
+    EXPECT_STREQ(bad.what(), "/topic, message 1: expected an uncompressed image, found the format 'jpeg'");
   }
 }
 

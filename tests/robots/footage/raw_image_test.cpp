@@ -47,13 +47,13 @@ TEST(RawImage, OfOddWidthLosesItsLastColumn) {
   EXPECT_EQ(image.bytes(), (std::vector<std::uint8_t>{1, 128, 2, 128, 4, 128, 5, 128}));
 }
 
-TEST(RawImage, OfAnUnknownEncodingIsRefusedWithTheKnownOnes) {
+TEST(RawImage, OfAnUnknownEncodingIsRefusedWithAListOfTheKnownEncodings) {
   EXPECT_EQ(error_of(raw("16UC1", 2, 1, 4, {1, 2, 3, 4})),
             "image encoding: expected one of rgb8, bgr8, rgba8, bgra8, mono8, yuv422, uyvy, yuv422_yuy2, yuyv, nv12, "
             "found '16UC1'");
 }
 
-TEST(RawImage, ThatDoesNotFitItsSizeIsRefused) {
+TEST(RawImage, WithAnInvalidSizeOrTooFewBytesIsRefused) {
   EXPECT_EQ(error_of(raw("rgb8", 2, 1, 5, {1, 2, 3, 4, 5, 6})),
             "image step: expected at least 6 bytes for 2 pixels of rgb8, found 5");
   EXPECT_EQ(error_of(raw("rgb8", 2, 2, 8, {1, 2, 3, 4, 5, 6})), "image data: expected at least 14 bytes, found 6");

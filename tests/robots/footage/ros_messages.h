@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes messages as ROS 2 does, in CDR, little- or big-endian. What the structs do not store is written as 0 or
-// identity.
+// Writes messages in the format of ROS 2 (CDR), little- or big-endian. Values that the structs do not contain are
+// written as 0 or identity.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ class CdrWriter {
   }
   void text(const std::string& text);
   void bytes(std::span<const std::byte> bytes);
-  void doubles(std::span<const double> numbers);  ///< without their number
+  void doubles(std::span<const double> numbers);  ///< without a length
 
   messages::Bytes take() { return std::move(bytes_); }
 

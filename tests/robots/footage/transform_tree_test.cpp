@@ -31,8 +31,8 @@ void expect_near(const std::optional<Isometry3>& found, const Eigen::Vector3d& t
 
 TEST(TransformTree, ComposesMotionsAlongTheTree) {
   TransformTree tree;
-  // The base is at (1, 2) in the field and faces along y; the camera is 0.1 m ahead of it and 0.5 m above, and looks
-  // left.
+  // The base is at (1, 2) in the field and faces along y. The camera is 0.1 m in front of it and 0.5 m above, and
+  // points to the left.
   tree.add(sample("map", "odom", 1.0, {1.0, 0.0, 0.0}), Validity::limited);
   tree.add(sample("odom", "base", 1.0, {0.0, 2.0, 0.0}, yaw(kPi / 2.0)), Validity::limited);
   tree.add(sample("base", "camera", 0.0, {0.1, 0.0, 0.5}, yaw(kPi / 2.0)), Validity::fixed);
@@ -57,7 +57,7 @@ TEST(TransformTree, InterpolatesBetweenTheNeighborsInTime) {
   expect_near(tree.find("odom", "base", instant(1.75), {}), {1.5, 0.5, 0.0}, 0.15);
 }
 
-TEST(TransformTree, InterpolatesTheShorterWay) {
+TEST(TransformTree, InterpolatesAlongTheShorterRotation) {
   TransformTree tree;
   const messages::Quaternion half = yaw(0.4);
   tree.add(sample("odom", "base", 1.0, {0.0, 0.0, 0.0}), Validity::limited);
@@ -87,7 +87,7 @@ TEST(TransformTree, OfFoxgloveIsValidUntilTheNextOne) {
   expect_near(tree.find("odom", "base", instant(100.0), {}), {5.0, 0.0, 0.0}, 0.0);
 }
 
-TEST(TransformTree, IgnoresWhatIsNoRigidMotion) {
+TEST(TransformTree, IgnoresTransformsThatAreNotRigid) {
   TransformTree tree;
   EXPECT_FALSE(tree.add(sample("a", "b", 1.0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}), Validity::limited));
   EXPECT_FALSE(tree.add(sample("a", "b", 1.0, {NAN, 0.0, 0.0}), Validity::limited));
@@ -96,7 +96,7 @@ TEST(TransformTree, IgnoresWhatIsNoRigidMotion) {
   EXPECT_FALSE(tree.find("a", "b", instant(1.0), {}));
 }
 
-TEST(TransformTree, SurvivesACircle) {
+TEST(TransformTree, DoesNotHangAtACycle) {
   TransformTree tree;
   tree.add(sample("a", "b", 1.0, {1.0, 0.0, 0.0}), Validity::fixed);
   tree.add(sample("b", "a", 1.0, {1.0, 0.0, 0.0}), Validity::fixed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// write_golden_messages.mjs FOLDER: writes one message of each type that robots/footage/messages/ decodes, as the libraries of
-// others serialize it: NAME.cdr (ROS 2), NAME.pb (Foxglove, Protocol Buffers) and NAME.json (Foxglove, JSON). The values are
-// those that golden_messages_test.cpp expects. Also logs of ROS 2 by the MCAP project's own writer: NAME.mcap, for
+// write_golden_messages.mjs FOLDER: writes one message of each type that robots/footage/messages/ decodes, with other
+// libraries: NAME.cdr (ROS 2), NAME.pb (Foxglove, Protocol Buffers) and NAME.json (Foxglove, JSON). The values are those
+// that golden_messages_test.cpp expects. Also writes logs of ROS 2 with the MCAP project's own writer: NAME.mcap, for
 // mcap_log_test.cpp.
 import rosDefinitions from "@foxglove/rosmsg-msgs-common";
 import { MessageWriter } from "@foxglove/rosmsg2-serialization";
@@ -56,7 +56,7 @@ const serialized = (type, message) => {
 for (const [name, [type, message]] of Object.entries(ros))
   writeFileSync(`${folder}/${name}.cdr`, serialized(type, message));
 
-// Logs: three times a transform, a calibration and an image.
+// Logs: a transform, a calibration and an image, three times.
 const writeLog = async (name, options) => {
   const parts = [];
   let size = 0n;
