@@ -26,7 +26,7 @@ void fields(Visit&& visit, T& walk) {
 }
 
 struct HeadRequest {
-  HeadAngles angles;                   ///< wanted joint angles, rad; clamped to what the neck reaches
+  HeadAngles angles;                   ///< requested joint angles, rad; clamped to the range of the neck
   double speed = from_degrees(120.0);  ///< rad/s, at most the motors' own limit
 };
 template <typename Visit, ConstOr<HeadRequest> T>
@@ -34,7 +34,7 @@ void fields(Visit&& visit, T& head) {
   visit(head.angles, head.speed);
 }
 
-/// What the robot shall do until the next request. Without a head request the head stays where it is.
+/// The motion that behaviors request, valid until the next request. Without a head request the head does not move.
 struct Request {
   std::optional<HeadRequest> head;
   WalkVelocity walk;    ///< zero: stand
@@ -45,48 +45,48 @@ void fields(Visit&& visit, T& request) {
   visit(request.head, request.walk, request.get_up);
 }
 
-/// Of a word from one robot to another, bytes.
+/// Maximum length of a message from one robot to another, bytes.
 inline constexpr std::size_t kLongestMessage = 240;
 
-/// What can be done to a belief (the paper's Section 3.1).
+/// Commands that change a belief (Section 3.1 of the paper).
 enum class Reorientation { flip_pose, purge_reflection, reset_orientation };
 constexpr int enum_count(Reorientation) { return 3; }
 
-/// How the room supports the believed pose and its reflection, for whoever holds the belief.
+/// How much the room supports the believed pose and the mirrored pose, for the localization that owns the belief.
 struct RoomConfidence {
   double current = 0.0;   ///< confidence in the believed pose, 0 to 1
-  double opposite = 0.0;  ///< confidence in its reflection
-  double evidence = 0.0;  ///< log-odds of the reflection against the pose: log(99) where 99 in 100 are reflected
-  bool usable = false;    ///< the room can tell at all: it is learned, seen, and not the same after half a turn
+  double opposite = 0.0;  ///< confidence in the mirrored pose, 0 to 1
+  double evidence = 0.0;  ///< log-odds of the mirrored pose against the pose: log(99) means 99 in 100 for the mirrored
+  bool usable = false;    ///< the room is learned, in view, and differs from itself rotated by 180 degrees
 };
 template <typename Visit, ConstOr<RoomConfidence> T>
 void fields(Visit&& visit, T& room) {
   visit(room.current, room.opposite, room.evidence, room.usable);
 }
 
-/// Where the robot is believed to be, by whichever localization counts.
+/// The belief of the localization that is used.
 struct BelievedPose {
   Pose2 pose;                                            ///< field_from_robot
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< x, y, rotation; m^2, m rad, rad^2
-  bool known = false;                                    ///< somebody told it, or it was found
+  bool known = false;                                    ///< an initial pose was set, or a pose was found
 };
 template <typename Visit, ConstOr<BelievedPose> T>
 void fields(Visit&& visit, T& belief) {
   visit(belief.pose, belief.covariance, belief.known);
 }
 
-/// In the frame that grants a reorientation, `belief` and `room` are those after it, where our own localization holds
-/// the belief: after a flip, the evidence has the other sign and the confidences are 0. Where another localization
-/// holds it, they stay as they are until its next belief shows what it did.
+/// With Reorient's own localization, `belief` and `room` are those after the reorientation that this frame grants:
+/// after a flip, the evidence has the other sign and the confidences are 0. With an external localization, both are
+/// unchanged until its next belief shows that it carried out the reorientation.
 struct Answer {
   Request request;
   BelievedPose belief;
-  /// Granted in this frame. Where the robot brings its own belief, it is to be carried out there; otherwise it is done.
+  /// Granted in this frame. An external localization must carry it out; Reorient's own localization has done so.
   std::optional<Reorientation> reorientation;
   RoomConfidence room;
   bool training_paused = false;
   bool evaluation_paused = false;
-  std::vector<std::string> messages;  ///< of this frame, to the team mates; each of at most kLongestMessage bytes
+  std::vector<std::string> messages;  ///< from this frame to the teammates, at most kLongestMessage bytes each
 };
 template <typename Visit, ConstOr<Answer> T>
 void fields(Visit&& visit, T& answer) {

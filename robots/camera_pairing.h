@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From two cameras that are not exposed at the same instant, and may miss frames, to the frames of the engine.
+// Pairs the images of two cameras, which are exposed at different times and may be lost, into frames of the engine.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace reorient {
 
-/// An image of the upper camera makes a frame, together with the newest one of the lower camera since the frame before.
-/// A lower image that waits for longer than `patience` makes a frame alone: then the upper camera has nothing to say.
-/// Whoever fills it keeps the pixels until the frame is over.
+/// An image of the upper camera makes a frame, together with the newest image of the lower camera since the previous
+/// frame. A lower image that has waited for longer than `patience` makes a frame alone, because the upper camera
+/// delivers no images then. The caller must store the pixels until the frame is processed.
 class CameraPairing {
  public:
   static constexpr double kPatience = 0.05;  // s
@@ -19,19 +19,20 @@ class CameraPairing {
   explicit CameraPairing(double patience = kPatience) : patience_(patience) {}
 
   void put_upper(CameraFrame frame) { upper_ = std::move(frame); }
-  /// `now`: s, when it came, on the clock of is_due(): on its way from its exposure it has spent some time already.
+  /// `now`: arrival time, s, on the clock of is_due(); later than the exposure.
   void put_lower(CameraFrame frame, double now) {
     if (!waiting_since_) waiting_since_ = now;
     lower_ = std::move(frame);
   }
 
-  /// Its pixels are gone; whoever drops a lower image for a newer one lets that wait no longer.
+  /// Call these if the pixels are no longer valid. The waiting time counts from the first lower image, also if a newer
+  /// one replaces it.
   void drop_upper() { upper_.reset(); }
   void drop_lower() { lower_.reset(); }
 
   bool is_due(double now) const { return upper_ || (lower_ && now - *waiting_since_ >= patience_); }
 
-  /// Moves the images over; the observation's time becomes that of the newest one.
+  /// Moves the images to the observation and sets its time to that of the newest image.
   void take(Observation& observation) {
     observation.upper = std::exchange(upper_, std::nullopt);
     observation.lower = std::exchange(lower_, std::nullopt);
@@ -45,7 +46,7 @@ class CameraPairing {
   double patience_;
   std::optional<CameraFrame> upper_;
   std::optional<CameraFrame> lower_;
-  std::optional<double> waiting_since_;  ///< s, when the first lower image since the frame before came
+  std::optional<double> waiting_since_;  ///< s, arrival time of the first lower image since the previous frame
 };
 
 }  // namespace reorient

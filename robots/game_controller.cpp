@@ -8,13 +8,13 @@
 namespace reorient {
 namespace {
 
-// Offsets, bytes. All three versions begin alike; byte 8 was the kind of the competition in 2025, and always 0.
+// Offsets, bytes. All three versions start with the same layout, except that byte 8 was the type of the competition in
+// 2025, which was always 0.
 constexpr std::size_t kVersion = 4, kStopped = 8, kState = 10, kFirstHalf = 12, kKickingTeam = 13, kTeams = 18;
-constexpr std::size_t kPlayersOfTeam =
-    10;  // behind what is said of the team itself, of which the first byte is its number
+constexpr std::size_t kPlayersOfTeam = 10;  // after the data of the team itself, whose first byte is its number
 constexpr int kMostPlayers = 20;
 
-/// Bytes about each player, of which the first is the penalty. 0: no such version.
+/// Bytes for each player, of which the first is the penalty. Returns 0 for an unknown version.
 std::size_t bytes_of_player(std::uint8_t version) {
   switch (version) {
     case 18:
@@ -57,12 +57,13 @@ bool GameController::hear(std::span<const std::byte> datagram, ExternalInputs& e
   referee.state = *state;
   referee.stopped = at(kStopped) == 1;
   referee.penalized = at(ours + kPlayersOfTeam + static_cast<std::size_t>(player_ - 1) * player_bytes) != 0;
-  constexpr int kNobody = 255;
+  constexpr int kNoTeam = 255;
   const int kicking = at(kKickingTeam);
-  referee.kick_off = kicking == kNobody ? KickOff::nobody : kicking == team_ ? KickOff::ours : KickOff::theirs;
+  referee.kick_off = kicking == kNoTeam ? KickOff::none : kicking == team_ ? KickOff::ours : KickOff::theirs;
   if (last_ != referee) external.referee = last_ = referee;
 
-  // The second half begins, or somebody pressed the wrong button, before the ball is in the game.
+  // The half changes only while the ball is not in play: the second half starts, or the operator of the GameController
+  // corrects a mistake.
   const bool first_half = at(kFirstHalf) == 1;
   if (!first_half_) first_half_ = first_half;
   if (first_half != *first_half_ && *state != GameState::playing) {
@@ -85,11 +86,11 @@ std::array<std::byte, 32> return_datagram(const GameControllerAnswer& answer) {
   put(static_cast<std::uint8_t>(answer.player), 1);
   put(static_cast<std::uint8_t>(answer.team), 1);
   put(answer.fallen ? 1 : 0, 1);
-  constexpr double kMillimetres = 1000.0;
-  put_float(kMillimetres * answer.pose.position.x());
-  put_float(kMillimetres * answer.pose.position.y());
+  constexpr double kMillimeters = 1000.0;
+  put_float(kMillimeters * answer.pose.position.x());
+  put_float(kMillimeters * answer.pose.position.y());
   put_float(answer.pose.rotation);
-  put_float(-1.0);  // s since the ball was seen: it never was
+  put_float(-1.0);  // s since the ball was seen; -1: never
   put_float(0.0);
   put_float(0.0);
   return bytes;

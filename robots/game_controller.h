@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the league's GameController says of the game: its datagrams, of versions 18 (2025), 19 (spring of 2026) and 20
-// (summer of 2026), as RoboCupGameControlData.h of its repositories lays them out.
+// Datagrams of the league's GameController, versions 18 (2025), 19 (spring of 2026) and 20 (summer of 2026), with the
+// layout of RoboCupGameControlData.h in its repositories.
 #pragma once
 
 #include <array>
@@ -13,24 +13,24 @@
 
 namespace reorient {
 
-inline constexpr std::uint16_t kGameControllerPort = 3838;        ///< UDP, to all
-inline constexpr std::uint16_t kGameControllerReturnPort = 3939;  ///< UDP, to whom the datagrams come from
+inline constexpr std::uint16_t kGameControllerPort = 3838;        ///< UDP, broadcast to all robots
+inline constexpr std::uint16_t kGameControllerReturnPort = 3939;  ///< UDP, answers to the sender of the datagrams
 
-/// One robot's view of the game. Nothing of a datagram is taken that is not of exactly the right form and about this
-/// team.
+/// One robot's view of the game. Ignores datagrams that are not exactly in the expected format or not about this team.
 class GameController {
  public:
-  /// `team`: as the league numbers it, 1 to 254; `player`: 1 to 20. No game is about any other.
+  /// `team`: number of the team in the league, 1 to 254; `player`: 1 to 20. With other numbers it ignores all
+  /// datagrams.
   explicit GameController(int team = 0, int player = 0) : team_(team), player_(player) {}
 
   int team() const { return team_; }
   int player() const { return player_; }
 
-  /// Adds what is new to `told`; nothing where nothing changed. The teams change sides where a half ends. False: the
-  /// datagram is none of the GameController's, or of a game of others.
+  /// Adds what has changed to `external`. At the end of a half the teams change sides. Returns false if the datagram is
+  /// not from a GameController, or about a game of other teams.
   bool hear(std::span<const std::byte> datagram, ExternalInputs& external);
 
-  /// A half may end while nobody listens.
+  /// Saved, because a half may end while no engine runs.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.team_, self.player_, self.last_, self.first_half_);
@@ -42,11 +42,11 @@ class GameController {
   std::optional<bool> first_half_;
 };
 
-/// What a robot answers, on kGameControllerReturnPort: version 4, once or twice a second.
+/// Answer of a robot on kGameControllerReturnPort: version 4, once or twice a second.
 struct GameControllerAnswer {
   int team = 0, player = 0;
   bool fallen = false;
-  Pose2 pose;  ///< believed, in the team's axes: m, rad
+  Pose2 pose;  ///< believed pose in the team's axes, m, rad
 };
 std::array<std::byte, 32> return_datagram(const GameControllerAnswer& answer);
 

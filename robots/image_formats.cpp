@@ -14,12 +14,12 @@ int luma_of(int red, int green, int blue) { return (19595 * red + 38470 * green 
 int cb_of(int red, int green, int blue) { return 128 + ((-11059 * red - 21709 * green + 32768 * blue + 32768) >> 16); }
 int cr_of(int red, int green, int blue) { return 128 + ((32768 * red - 27439 * green - 5329 * blue + 32768) >> 16); }
 
-/// `Pixel`: bytes of one. `Red`, `Blue`: their offsets in it.
+/// `Pixel`: bytes per pixel. `Red`, `Blue`: offsets of these values in a pixel.
 template <std::size_t Pixel, std::size_t Red, std::size_t Blue>
 void convert_row(const std::uint8_t* from, std::uint8_t* to, int width) {
   for (int x = 0; x < width; x += 2, from += 2 * Pixel, to += 4) {
     const std::uint8_t* const next = from + Pixel;
-    // Both pixels of a pair share the chroma of their mean.
+    // The two pixels of a pair have the same chroma, computed from their mean.
     const int r = (from[Red] + next[Red] + 1) / 2;
     const int g = (from[1] + next[1] + 1) / 2;
     const int b = (from[Blue] + next[Blue] + 1) / 2;

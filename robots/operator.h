@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The person beside the field, who can do to a robot what it cannot do itself, and who sees where it really is.
-// Scenarios play that person; only a simulator, or a hall with tracking cameras, can serve them. All poses are in the
-// axes of the hall: those of the robot's team before sides are changed.
+// The operator beside the field, who can lift, place and push the robot, and who sees its true pose. Scenarios play the
+// operator; only a simulator or a hall with tracking cameras can implement it. All poses are in the axes of the hall:
+// the axes of the robot's team before the teams change sides.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,16 @@ namespace reorient {
 class Operator {
  public:
   virtual ~Operator() = default;
-  virtual void pick_up() = 0;                     ///< the robot hangs in the air until it is put down
+  virtual void pick_up() = 0;                     ///< the robot hangs in the air until it is placed
   virtual void put_down(const Pose2& where) = 0;  ///< upright, standing
   virtual void push_over() = 0;                   ///< the robot falls
-  virtual void penalize(bool penalized) = 0;      ///< while it is penalized it neither walks nor gets up
-  /// The hall's light against the camera's exposure, in powers of two.
+  virtual void penalize(bool penalized) = 0;      ///< a penalized robot neither walks nor gets up
+  /// Brightness of the hall relative to the exposure of the camera, in powers of two.
   virtual void set_exposure_compensation(double stops) = 0;
-  virtual void change_light() = 0;  ///< another light begins, and with it other things on the walls and other people
+  virtual void change_light() = 0;  ///< changes the light, and the objects on the walls and the people with it
 };
 
-/// Where a robot really is.
+/// The true state of a robot.
 struct GroundTruth {
   Pose2 pose;
   bool fallen = false;
@@ -37,7 +37,7 @@ void fields(Visit&& visit, T& truth) {
 class GroundTruthSource {
  public:
   virtual ~GroundTruthSource() = default;
-  /// At the last observation; empty if it is unknown.
+  /// True state at the last observation; empty if it is unknown.
   virtual std::optional<GroundTruth> truth() const = 0;
 };
 

@@ -22,7 +22,7 @@ CameraModel camera_model(const CameraOptics& optics, int width, int height) {
 
 std::uint64_t digest_of(const RobotBody& body) {
   std::vector<std::byte> bytes;
-  bytes.reserve(512);  // an empty one makes GCC 12 warn of nothing
+  bytes.reserve(512);  // avoids a false warning of GCC 12 about an empty vector
   ByteWriter writer(bytes);
   writer(body);
   return checksum(bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot as one value: itself, its clock, who may disturb it, and where it really is.
+// A robot as one value, with its clock, its operator and its ground truth.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,15 @@ namespace reorient {
 
 struct RobotInstance {
   enum class Clock {
-    simulated,  ///< observe() returns at once: whoever wants real time waits
+    simulated,  ///< observe() returns at once; for real time, the caller must wait
     real        ///< observe() waits for the robot
   };
 
   std::unique_ptr<Robot> robot;
   RobotBody body;
   Clock clock = Clock::simulated;
-  Operator* the_operator = nullptr;          ///< part of the robot; nullptr: it cannot be lifted or placed
-  const GroundTruthSource* truth = nullptr;  ///< part of the robot; nullptr: nobody knows
+  Operator* the_operator = nullptr;          ///< owned by the robot; nullptr: it cannot be lifted or placed
+  const GroundTruthSource* truth = nullptr;  ///< owned by the robot; nullptr: the true pose is unknown
 };
 
 }  // namespace reorient

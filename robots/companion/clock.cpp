@@ -6,12 +6,12 @@
 namespace reorient {
 namespace {
 
-constexpr double kStep = 0.001;      // s, the least between two frames where nothing tells how long it was
-constexpr double kLongest = 3600.0;  // s that may pass from one frame to the next
+constexpr double kStep = 0.001;      // s, smallest time between two frames, used if the true one is unknown
+constexpr double kLongest = 3600.0;  // s, largest time between two frames
 
 }  // namespace
 
-/// The client's clock shows this now, and `gap` seconds have passed since the frame before.
+/// Sets the offset so that `time` on the client's clock is `gap` seconds after the previous frame.
 void ClientClock::go_on_at(double time, double gap) {
   offset_ = (known_ ? last_time_ + std::clamp(gap, kStep, kLongest) : 0.0) - time;
 }

@@ -12,9 +12,9 @@ namespace reorient {
 
 class ClientClock {
  public:
-  /// One frame's time (s) and odometry on the client's side, as the engine's. `client`: differs after a restart
-  /// of the client's process; `silence`: s on our clock since the previous frame. Returns nothing if the time is not
-  /// later than that of the previous frame. After a second of such frames, the clock counts as set back, and time
+  /// Converts a frame's time (s) and odometry from the client's to the engine's. `client`: differs after a restart of
+  /// the client's process; `silence`: s on the server's clock since the previous frame. Returns nothing if the time is
+  /// not later than that of the previous frame. After a second of such frames, the clock counts as set back, and time
   /// continues.
   struct Moment {
     double time = 0.0;
@@ -22,9 +22,9 @@ class ClientClock {
   };
   std::optional<Moment> advance(std::uint64_t client, double time, const Pose2& odometry, double silence);
 
-  /// The engine's time of a moment on the client's clock; of use after the first frame.
+  /// Converts a time on the client's clock to the engine's time; valid after the first frame.
   double to_engine(double time) const { return time + offset_; }
-  /// The engine's, of the last frame.
+  /// The engine's odometry of the last frame.
   const Pose2& odometry() const { return last_odometry_; }
   /// Whether the last frame was the first one of a restarted client.
   bool restarted() const { return restarted_; }
@@ -39,11 +39,11 @@ class ClientClock {
 
   bool known_ = false;
   std::uint64_t client_ = 0;
-  double offset_ = 0.0;     // s, engine's time less client's
-  double last_time_ = 0.0;  // s, the engine's
+  double offset_ = 0.0;     // s, engine's time minus client's time
+  double last_time_ = 0.0;  // s, engine's time
   Pose2 before_;            // the engine's odometry is this times the client's
   Pose2 last_odometry_;     // the engine's
-  double backwards_ = 0.0;  // s of our clock for which the client's has been behind
+  double backwards_ = 0.0;  // s on the server's clock for which the client's clock was behind its last time
   bool restarted_ = false;
 };
 

@@ -19,7 +19,7 @@ class PendingCommand {
 
   std::uint64_t server() const { return server_; }
   void grant(Reorientation reorientation);
-  /// All up to this number were carried out.
+  /// The client carried out all commands up to this number.
   void acknowledge(std::uint64_t server, std::uint32_t number);
   /// Withdraws the waiting command, because the belief has changed.
   void withdraw() { waiting_.reset(); }

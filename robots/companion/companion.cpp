@@ -10,8 +10,8 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kMostSamples = 100;      // of the body between two frames
-constexpr std::size_t kMostWaitingNotes = 64;  // that wait
+constexpr std::size_t kMostSamples = 100;      // body samples between two frames
+constexpr std::size_t kMostWaitingNotes = 64;  // notes that wait to be sent
 
 ReportedPosture posture_of(std::uint32_t reported) { return static_cast<ReportedPosture>(reported); }
 static_assert(static_cast<int>(ReportedPosture::unknown) == REORIENT_UNKNOWN &&
@@ -98,7 +98,7 @@ void Companion::meet() {
   if (has_other_robot_ || welcomed_) return;
   welcomed_ = connection_.send(
       REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
-  goes_on_ = true;  // the next client finds an engine with knowledge
+  goes_on_ = true;  // the next client connects to an engine that has a state
 }
 
 bool Companion::observe(Observation& observation) {
@@ -237,7 +237,7 @@ bool Companion::use_newest(Observation& observation) {
   const std::optional<ClientClock::Moment> moment =
       clock_.advance(handshake_->client, time, pose_of(frame.odometry), newest_.at - last_arrival_);
   last_arrival_ = newest_.at;
-  if (clock_.restarted()) {  // with a new belief, in the present axes
+  if (clock_.restarted()) {  // the client has a new belief, in the present axes
     command_.withdraw();
     pending_.begin_axes();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A robot that another program drives, and that program's client beside it: what comes through the socket becomes
-// observations, what the engine answers goes back (docs/companion.md). One thread: nothing here waits for the client
-// but observe(), and nothing in the client ever waits for us.
+// A robot that another program controls: messages of that program's client become observations, and the engine's
+// answers are sent back through the socket (docs/companion.md). Uses one thread. Only observe() waits for the client,
+// and the client never waits for the server.
 #pragma once
 
 #include <array>
@@ -45,14 +45,13 @@ class Companion : public Robot, private Receiver {
 
   /// Waits for the hello of a client. Returns nullptr if the run is over.
   const Handshake* wait_for_handshake();
-  /// An engine that was made for `handshake` stands behind this from now on. `goes_on`: it knows what one before it
-  /// knew.
+  /// Call after an engine was created for `handshake`. `goes_on`: it continues from the state of an earlier engine.
   void begin(const Handshake& handshake, bool goes_on, int behaviors);
   /// Refuses a client for which no engine can be created, and disconnects it.
   void refuse(const std::string& why) { connection_.refuse(why, *this); }
 
-  /// False: it is over, or a frame has come of a client that is another robot (has_other_robot()): it waits for the
-  /// engine that is made for that one.
+  /// Returns false if the run is over, or if a frame of another robot has arrived (has_other_robot()). That frame waits
+  /// until an engine for this robot exists.
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
   bool has_other_robot() const { return has_other_robot_ && has_newest_; }
@@ -60,7 +59,7 @@ class Companion : public Robot, private Receiver {
   void tell_state(std::string_view behavior, std::string_view state);
   void tell_note(NoteKind kind, std::string_view text);
 
-  /// Of all clients since the start.
+  /// Counts over all clients since the start.
   struct Counts {
     std::uint64_t frames = 0;      ///< that arrived
     std::uint64_t superseded = 0;  ///< frames not used because a newer one had arrived
@@ -80,7 +79,7 @@ class Companion : public Robot, private Receiver {
  private:
   struct Arrived {
     FrameMessage message;
-    double at = 0.0;  ///< s, on our clock
+    double at = 0.0;  ///< s, on the server's clock
   };
 
   void connected() override;
@@ -109,9 +108,9 @@ class Companion : public Robot, private Receiver {
   GameController game_;
   PendingExternalInputs pending_;
 
-  std::optional<Handshake> handshake_;   ///< of the client that is connected
+  std::optional<Handshake> handshake_;   ///< of the connected client
   std::optional<Handshake> engine_for_;  ///< empty until an engine exists
-  bool has_other_robot_ = false;         ///< they differ in their identity
+  bool has_other_robot_ = false;         ///< the identities of these two differ
   bool goes_on_ = false;
   int behaviors_ = 0;
   bool welcomed_ = false;
@@ -119,10 +118,10 @@ class Companion : public Robot, private Receiver {
 
   Arrived arrived_, newest_;
   bool has_newest_ = false;
-  double last_arrival_ = 0.0;             ///< s, on our clock, of the last frame that was used or found unusable
-  std::vector<reorient_sample> samples_;  ///< no frame has come yet that was exposed after them
-  double last_time_ = 0.0;                ///< s, the engine's, of the frame before
-  double next_complaint_ = 0.0;           ///< s, on our clock
+  double last_arrival_ = 0.0;             ///< s, on the server's clock, of the last frame that was used or unusable
+  std::vector<reorient_sample> samples_;  ///< waiting for a frame that was exposed after them
+  double last_time_ = 0.0;                ///< s, engine's time of the previous frame
+  double next_complaint_ = 0.0;           ///< s, on the server's clock
 
   // Storage of the observation, valid until the next one.
   std::array<Image, 2> images_;
@@ -130,13 +129,13 @@ class Companion : public Robot, private Receiver {
   std::vector<ExternalBelief::Particle> particles_;
   std::uint64_t answered_ = 0;  ///< number of the frame
   double answered_time_ = 0.0;  ///< s, on the client's clock
-  double answered_at_ = 0.0;    ///< s, on ours, when it came
+  double answered_at_ = 0.0;    ///< s, on the server's clock, arrival time
 
   /// State of each behavior, and whether it was sent to the client.
   std::map<std::string, std::pair<std::string, bool>, std::less<>> states_;
   std::vector<reorient_note> notes_;  ///< to be sent
-  std::vector<reorient_note>
-      words_;  ///< messages of behaviors to teammates, separate so that many notes do not displace them
+  /// Messages of behaviors to teammates, separate so that many notes do not displace them.
+  std::vector<reorient_note> words_;
 };
 
 }  // namespace reorient

@@ -22,7 +22,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kSilent = 2.0;            // s after which a newcomer replaces a client that sends nothing
+constexpr double kSilent = 2.0;            // s without data after which a new client replaces the present one
 constexpr std::size_t kPiece = 64 * 1024;  // bytes that are read at once
 
 sockaddr_un address_of(const std::filesystem::path& path) {

@@ -40,7 +40,7 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Takes what has come, for at most `seconds` until something does. A signal ends the wait.
+  /// Waits at most `seconds` for data, and delivers all messages that have arrived. A signal ends the wait.
   void listen(double seconds, Receiver& receiver);
 
   bool has_client() const { return static_cast<bool>(client_); }
@@ -68,13 +68,13 @@ class Connection {
   std::function<double()> now_;
   OwnedDescriptor listener_;
   OwnedDescriptor client_;
-  bool gone_ = false;          // found out while sending; the receiver is told next time
-  double last_heard_ = 0.0;    // s
-  std::vector<std::byte> in_;  // of one size: room for the longest message and one more piece
-  std::size_t received_ = 0;   // bytes of in_ that no message has taken yet
+  bool gone_ = false;          // sending has failed; listen() notifies the receiver
+  double last_heard_ = 0.0;    // s, time of the last data
+  std::vector<std::byte> in_;  // constant size: the longest message and one more piece
+  std::size_t received_ = 0;   // bytes in in_ that are not processed yet
   std::vector<std::byte> out_;
-  std::size_t sent_ = 0;    // of out_
-  OwnedDescriptor memory_;  // came, and no message has taken it yet
+  std::size_t sent_ = 0;    // bytes of out_ that were sent
+  OwnedDescriptor memory_;  // arrived, but its message has not
 };
 
 /// Default path of the socket: in the user's runtime folder.

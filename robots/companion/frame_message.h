@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame as a client sends it, checked: whatever is in it afterwards can be used.
+// Reads and checks the frames of a client.
 #pragma once
 
 #include <span>
@@ -35,7 +35,7 @@ Pose2 pose_of(const double (&numbers)[3]);
 reorient_sample read_sample(std::span<const std::byte> bytes);
 bool is_sound(const reorient_sample& sample);
 
-/// What a frame or a sample says of the body, at `time` (s); where it says nothing, as a robot that stands straight.
+/// The sensor values of the body in a frame or a sample, at `time` (s). Missing values are those of a standing robot.
 BodySample body_sample(const reorient_frame& frame, double time);
 BodySample body_sample(const reorient_sample& sample, double time);
 

@@ -41,25 +41,25 @@ void check(const reorient_camera& camera) {
   checked(camera.tilt, -0.5 * kPi, 0.5 * kPi, "a camera's tilt");
 }
 
-/// The lens of a camera, which an optional block behind the hello describes; without it, a plain one, which may fold
-/// back at the image's edge: clients from before there was such a block were never refused for that.
-Lens lens_of(const reorient_camera& camera, const std::optional<reorient_lens>& told, int number) {
+/// The lens of a camera, described by an optional block after the hello. Without the block it is a pinhole lens, whose
+/// distortion is not checked at the image's edge, because clients of earlier versions were never refused for that.
+Lens lens_of(const reorient_camera& camera, const std::optional<reorient_lens>& sent, int number) {
   const std::string where = "hello: lens of camera " + std::to_string(number) + ": ";
   Lens lens;
-  if (!told || told->model == REORIENT_LENS_OF_CAMERA) {
+  if (!sent || sent->model == REORIENT_LENS_OF_CAMERA) {
     lens.k1 = camera.distortion[0];
     lens.k2 = camera.distortion[1];
     return lens;
   }
-  if (told->model > REORIENT_LENS_EQUIRECTANGULAR)
-    throw BadMessage(where + "unknown model " + std::to_string(told->model) + " (expected 0 to 3)");
+  if (sent->model > REORIENT_LENS_EQUIRECTANGULAR)
+    throw BadMessage(where + "unknown model " + std::to_string(sent->model) + " (expected 0 to 3)");
   constexpr CameraProjection kProjections[] = {CameraProjection::pinhole, CameraProjection::fisheye,
                                                CameraProjection::equirectangular};
-  lens.projection = kProjections[told->model - REORIENT_LENS_PINHOLE];
-  if (told->count > std::size(told->coefficients))
-    throw BadMessage(where + "expected at most 8 coefficients, found " + std::to_string(told->count));
-  check(told->coefficients, -100.0, 100.0, "a lens's coefficient");
-  if (const std::string mistake = lens.set_coefficients(std::span(told->coefficients).first(told->count));
+  lens.projection = kProjections[sent->model - REORIENT_LENS_PINHOLE];
+  if (sent->count > std::size(sent->coefficients))
+    throw BadMessage(where + "expected at most 8 coefficients, found " + std::to_string(sent->count));
+  check(sent->coefficients, -100.0, 100.0, "a lens's coefficient");
+  if (const std::string mistake = lens.set_coefficients(std::span(sent->coefficients).first(sent->count));
       !mistake.empty())
     throw BadMessage(where + mistake);
   if (const std::string mistake = mistake_in(camera_model(camera, lens)); !mistake.empty())
@@ -79,68 +79,68 @@ CameraOptics optics_of(const reorient_camera& camera, const Lens& lens) {
 
 Eigen::Vector3d vector_of(const double (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
 
-RobotBody body_of(const reorient_body& told, const KnownRobots& known) {
-  const std::string name = text_of(told.name);
-  if ((told.has & REORIENT_BODY_NUMBERS) == 0) {
+RobotBody body_of(const reorient_body& sent, const KnownRobots& known) {
+  const std::string name = text_of(sent.name);
+  if ((sent.has & REORIENT_BODY_NUMBERS) == 0) {
     if (std::optional<RobotBody> body = known.body(name)) return *std::move(body);
     throw BadMessage("hello: unknown robot '" + name + "'; send its numbers (REORIENT_BODY_NUMBERS)");
   }
   RobotBody body;
   body.name = name.empty() ? "a robot" : name;
   RobotDimensions& dimensions = body.dimensions;
-  dimensions.torso_height = checked(told.torso_height, 0.05, kTallest, "torso_height");
-  dimensions.neck_order = told.pitch_first != 0 ? NeckOrder::pitch_then_yaw : NeckOrder::yaw_then_pitch;
-  check(told.first_axis, -kTallest, kTallest, "first_axis");
-  check(told.second_axis, -kTallest, kTallest, "second_axis");
-  dimensions.first_axis = vector_of(told.first_axis);
-  dimensions.second_axis = vector_of(told.second_axis);
-  check(told.pitch_limit, -kPi, kPi, "pitch_limit");
-  if (told.pitch_limit[0] > told.pitch_limit[1])
+  dimensions.torso_height = checked(sent.torso_height, 0.05, kTallest, "torso_height");
+  dimensions.neck_order = sent.pitch_first != 0 ? NeckOrder::pitch_then_yaw : NeckOrder::yaw_then_pitch;
+  check(sent.first_axis, -kTallest, kTallest, "first_axis");
+  check(sent.second_axis, -kTallest, kTallest, "second_axis");
+  dimensions.first_axis = vector_of(sent.first_axis);
+  dimensions.second_axis = vector_of(sent.second_axis);
+  check(sent.pitch_limit, -kPi, kPi, "pitch_limit");
+  if (sent.pitch_limit[0] > sent.pitch_limit[1])
     throw BadMessage("hello: pitch_limit[0] is greater than pitch_limit[1]");
-  body.neck = {checked(told.yaw_limit, 0.0, kPi, "yaw_limit"), {{0.0, told.pitch_limit[0], told.pitch_limit[1]}}};
-  body.head_speed = checked(told.head_speed, 0.1, 20.0, "head_speed");
+  body.neck = {checked(sent.yaw_limit, 0.0, kPi, "yaw_limit"), {{0.0, sent.pitch_limit[0], sent.pitch_limit[1]}}};
+  body.head_speed = checked(sent.head_speed, 0.1, 20.0, "head_speed");
   body.standing_load.reset();
   body.gait.reset();
   body.get_up_time.reset();
-  if ((told.has & REORIENT_BODY_FEET) != 0)
-    body.standing_load = checked(told.standing_load, 0.1, 200.0, "standing_load");
-  if ((told.has & REORIENT_BODY_WALK) != 0) {
-    check(told.walk_limit, 0.0, 5.0, "walk_limit");
+  if ((sent.has & REORIENT_BODY_FEET) != 0)
+    body.standing_load = checked(sent.standing_load, 0.1, 200.0, "standing_load");
+  if ((sent.has & REORIENT_BODY_WALK) != 0) {
+    check(sent.walk_limit, 0.0, 5.0, "walk_limit");
     Gait& gait = body.gait.emplace();
-    gait.forward = told.walk_limit[0];
-    gait.left = told.walk_limit[1];
-    gait.turn = told.walk_limit[2];
-    gait.cruise = checked(told.cruise, 0.0, 2.0, "cruise");
+    gait.forward = sent.walk_limit[0];
+    gait.left = sent.walk_limit[1];
+    gait.turn = sent.walk_limit[2];
+    gait.cruise = checked(sent.cruise, 0.0, 2.0, "cruise");
   }
-  if ((told.has & REORIENT_BODY_GET_UP) != 0) body.get_up_time.emplace(6.0);
+  if ((sent.has & REORIENT_BODY_GET_UP) != 0) body.get_up_time.emplace(6.0);
   return body;
 }
 
-FieldDimensions field_of(const reorient_field& told, const RobotBody& body, const KnownRobots& known) {
-  const std::string name = text_of(told.name);
-  const bool has_numbers = told.length != 0.0;
+FieldDimensions field_of(const reorient_field& sent, const RobotBody& body, const KnownRobots& known) {
+  const std::string name = text_of(sent.name);
+  const bool has_numbers = sent.length != 0.0;
   if (!name.empty() || !has_numbers) {
     const std::string wanted = name.empty() ? body.field : name;
     if (const std::optional<FieldDimensions> field = known.field(wanted)) return *field;
     throw BadMessage("hello: unknown field '" + wanted + "'; send its numbers and an empty name");
   }
   FieldDimensions field;
-  field.length = told.length;
-  field.width = told.width;
-  field.border = told.border;
-  field.line_width = told.line_width;
-  field.penalty_area_depth = told.penalty_area[0];
-  field.penalty_area_width = told.penalty_area[1];
-  field.goal_area_depth = told.goal_area[0];
-  field.goal_area_width = told.goal_area[1];
-  field.penalty_mark_x = told.penalty_mark;
-  field.penalty_mark_size = told.mark_size;
-  field.center_circle_radius = told.circle_radius;
-  field.corner_arc_radius = told.corner_radius;
-  field.goal_post_y = told.post_y;
-  field.goal_height = told.goal_height;
-  field.goal_depth = told.goal_depth;
-  field.goal_post_diameter = told.post_diameter;
+  field.length = sent.length;
+  field.width = sent.width;
+  field.border = sent.border;
+  field.line_width = sent.line_width;
+  field.penalty_area_depth = sent.penalty_area[0];
+  field.penalty_area_width = sent.penalty_area[1];
+  field.goal_area_depth = sent.goal_area[0];
+  field.goal_area_width = sent.goal_area[1];
+  field.penalty_mark_x = sent.penalty_mark;
+  field.penalty_mark_size = sent.mark_size;
+  field.center_circle_radius = sent.circle_radius;
+  field.corner_arc_radius = sent.corner_radius;
+  field.goal_post_y = sent.post_y;
+  field.goal_height = sent.goal_height;
+  field.goal_depth = sent.goal_depth;
+  field.goal_post_diameter = sent.post_diameter;
   if (const std::string mistake = mistake_in(field); !mistake.empty()) throw BadMessage("hello: field: " + mistake);
   return field;
 }
@@ -202,7 +202,8 @@ CameraModel camera_model(const reorient_camera& camera, const Lens& lens) {
 
 std::vector<std::byte> identity_of(const Handshake& handshake) {
   RobotBody body = handshake.body;
-  // What a calibration changes: a frame's cameras are those of the client's hello, whatever the engine began with.
+  // Leave out what a calibration changes: each frame uses the cameras of the client's hello, not those of the engine's
+  // start.
   for (CameraMount* const mount : {&body.dimensions.upper, &body.dimensions.lower}) mount->tilt = 0.0;
   const auto leave_out = [](CameraOptics& optics) {
     optics.field_of_view_horizontal = optics.field_of_view_vertical = 1.0;

@@ -25,15 +25,15 @@ struct KnownRobots {
 
 struct Handshake {
   std::uint64_t client = 0;       ///< differs after a restart of the client's process
-  bool own_localization = false;  ///< the team's belief is used, ours is not
+  bool own_localization = false;  ///< the team's belief is used instead of Reorient's
   bool carries_out_head = false;  ///< requests of behaviors that the robot carries out
   bool carries_out_walk = false;
   bool carries_out_get_up = false;
   double delay = 0.0;  ///< age of an image without a time when it arrives, s
   RobotBody body;
   FieldDimensions field;
-  std::array<std::optional<reorient_camera>, 2> cameras;  ///< the upper and the lower one
-  std::array<Lens, 2> lenses;                             ///< of each
+  std::array<std::optional<reorient_camera>, 2> cameras;  ///< upper and lower camera
+  std::array<Lens, 2> lenses;                             ///< lens of each camera
 };
 
 /// Throws BadMessage.
@@ -41,8 +41,9 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
 
 CameraModel camera_model(const reorient_camera& camera, const Lens& lens);
 
-/// Everything that an engine depends on: the robot, its field, what it carries out and whose localization counts; not
-/// how its cameras are calibrated. If two are equal, an engine can continue from the state of the other.
+/// Everything on which an engine depends: the robot, its field, the requests that it carries out, and whose
+/// localization is used, but not the calibration of its cameras. If two are equal, an engine can continue from the
+/// state of the other.
 std::vector<std::byte> identity_of(const Handshake& handshake);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages as they lie in memory: the structures of reorient_companion.h, in and out of bytes.
+// Converts the structures of reorient_companion.h to and from bytes.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Message take_message(std::span<const std::byte>& bytes, const char* what) {
   return message;
 }
 
-/// With its header.
+/// Appends a message with its header.
 template <typename Message>
 void append_message(std::uint16_t kind, const Message& message, std::vector<std::byte>& bytes) {
   static_assert(std::is_trivially_copyable_v<Message>);
@@ -47,7 +47,7 @@ void append_message(std::uint16_t kind, const Message& message, std::vector<std:
   append(message);
 }
 
-/// The text of a field, which ends with a zero or with the field.
+/// The text of a field, which ends with a zero or at the end of the field.
 template <std::size_t Size>
 std::string text_of(const char (&field)[Size]) {
   return {field, strnlen(field, Size)};

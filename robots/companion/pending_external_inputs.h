@@ -14,33 +14,33 @@ namespace reorient {
 /// Inputs that are sent once must not be lost with a frame that is superseded or unusable.
 class PendingExternalInputs {
  public:
-  /// This client has said hello. Where it is another process, the one before it was so sure of a pose that it told.
+  /// Call after the hello of a client. If it is another process, drops an initial pose that the previous one sent.
   void begin_client(std::uint64_t client);
-  /// The next frame defines the axes: nothing is known yet that half-time could rotate.
+  /// The next frame defines the axes: no belief exists yet that half-time could rotate.
   void begin_axes() { is_other_half_.reset(); }
 
   /// Whether the frame contained an initial pose.
   bool hear(const FrameMessage& message);
-  /// What the GameController says.
+  /// Adds the inputs from a datagram of the GameController.
   void hear(const ExternalInputs& game);
 
-  /// With the frame that is looked at. The robot may have moved on since a pose was told, and the axes may be those of
-  /// the other half by now. Each frame says in which half it is, so that half-time is lost with none.
+  /// Returns the inputs for the frame that is used. Corrects an initial pose for the motion since it was set and for a
+  /// change of the axes at half-time. Each frame contains its half, so that half-time is never lost.
   ExternalInputs take(const FrameMessage& message);
 
-  /// What a process that takes this one's place has to know.
+  /// The state that the next process continues from.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.is_other_half_, self.referee_, self.external_.half_time);
   }
 
  private:
-  ExternalInputs external_;             ///< half-time: as the GameController says it
-  std::optional<Pose2> odometry_;       ///< the client's where the pose was told, if it made sense
-  bool is_pose_of_other_half_ = false;  ///< its axes
-  std::optional<bool> is_other_half_;   ///< the axes of the frame before, of the same client
+  ExternalInputs external_;             ///< its half-time is from the GameController
+  std::optional<Pose2> odometry_;       ///< the client's when the initial pose was set, if it was valid
+  bool is_pose_of_other_half_ = false;  ///< axes of the initial pose
+  std::optional<bool> is_other_half_;   ///< axes of the previous frame of this client
   std::uint64_t client_ = 0;
-  RefereeState referee_;  ///< what was said last
+  RefereeState referee_;  ///< the last one from frames
 };
 
 }  // namespace reorient

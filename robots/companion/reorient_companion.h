@@ -29,7 +29,7 @@ enum {
   REORIENT_LONGEST_DATAGRAM = 256   /* bytes of a datagram of the GameController */
 };
 
-/* Before each message. */
+/* Precedes each message. */
 struct reorient_header {
   uint32_t size;    /* bytes of the message after this header */
   uint16_t kind;    /* type of the message, REORIENT_HELLO ... REORIENT_NOTE */
@@ -328,7 +328,7 @@ static inline size_t reorient_image_bytes(const struct reorient_camera* camera) 
 
 #ifdef REORIENT_COMPANION_CLIENT
 /* ---- the client: no call blocks ---- */
-/* NOLINTBEGIN(modernize-use-nullptr): C99 has none */
+/* NOLINTBEGIN(modernize-use-nullptr): C99 has no nullptr */
 
 #include <errno.h>
 #include <fcntl.h>
@@ -389,7 +389,7 @@ static inline void reorient_disconnect(struct reorient_client* client) {
   client->server = 0;
 }
 
-/* 0; or -1, and errno says why. `hello` is copied. */
+/* Returns 0, or -1 and sets errno. `hello` is copied. */
 static inline int reorient_open(struct reorient_client* client, const char* path, const struct reorient_hello* hello) {
   int camera;
   memset(client, 0, sizeof *client);
@@ -469,7 +469,7 @@ static inline void reorient_begin(struct reorient_client* client, uint16_t kind,
   reorient_append(client, &header, sizeof header);
 }
 
-/* With the file descriptor of a camera's images. */
+/* Sends the description and the file descriptor of a camera's images. */
 static inline int reorient_send_memory(struct reorient_client* client, int camera) {
   union {
     struct cmsghdr header;
@@ -502,7 +502,7 @@ static inline int reorient_send_memory(struct reorient_client* client, int camer
   return sendmsg(client->socket, &all, MSG_DONTWAIT | MSG_NOSIGNAL) == (ssize_t)sizeof message;
 }
 
-/* In a folder such as /tmp, each user could listen at the socket's path. */
+/* In a folder such as /tmp, any user could listen at the socket's path. */
 static inline int reorient_is_trusted(int server) {
   struct ucred peer;
   socklen_t size = sizeof peer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The images of one camera in memory that a client shares. It can neither be taken from under us, which its seal sees
-// to, nor change while we look: an image is copied once, and what was written over meanwhile does not count.
+// The images of one camera in memory that a client shares. The seal prevents the client from shrinking the memory. An
+// image is copied once; a copy that the client overwrote meanwhile is dropped.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace reorient {
 
-/// A file descriptor that is closed.
+/// A file descriptor that is closed by the destructor.
 class OwnedDescriptor {
  public:
   explicit OwnedDescriptor(int descriptor = -1) : descriptor_(descriptor) {}
@@ -31,13 +31,14 @@ class OwnedDescriptor {
 
 class SharedImages {
  public:
-  /// For images of this camera. Throws BadMessage: what is handed over is not sealed, too small, or no memory at all.
+  /// Maps the memory for images of this camera. Throws BadMessage if the descriptor is not a sealed memfd of sufficient
+  /// size.
   SharedImages(const OwnedDescriptor& memory, const reorient_memory& layout, const reorient_camera& camera);
   ~SharedImages();
   SharedImages(const SharedImages&) = delete;
   SharedImages& operator=(const SharedImages&) = delete;
 
-  /// Copies the image with this sequence number from a slot that there is. False: the slot holds another one by now.
+  /// Copies the image with this sequence number from an existing slot. Returns false if it was overwritten.
   bool copy(const reorient_image& which, Image& image) const;
 
  private:

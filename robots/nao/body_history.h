@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a NAO's body felt lately, as the engine takes it: between two measurements it is interpolated.
+// The recent measurements of a NAO's body, interpolated at any time between two measurements for the engine.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ class BodyHistory {
  public:
   struct Moment {
     BodySample body;
-    Pose2 odometry;  ///< steps as a walk says, if there is one; turns from the inertial unit
+    Pose2 odometry;  ///< translation from the walk, if one runs; rotation from the inertial unit
   };
 
-  /// In the order of their times; one that is not later than the last is left out. Times on any clock, s. What is not
-  /// fresh is as it was.
+  /// Adds a measurement. Ignores it if it is not later than the last one. Times are in s, on any clock. Values that are
+  /// not fresh are unchanged.
   void add(const Measurement& measurement);
 
-  /// Nothing: the body was not felt at that time or less than kGap before it.
+  /// Returns nothing if no measurement exists at that time or within kGap before it.
   std::optional<Moment> at(double time) const;
   /// Returns nothing if none exists.
   std::optional<Moment> newest() const;
@@ -40,7 +40,7 @@ class BodyHistory {
   std::array<Moment, kKept> moments_;
   std::size_t count_ = 0;
   Eigen::Vector2d position_ = Eigen::Vector2d::Zero();  // m
-  std::optional<Pose2> walked_;                         // what the walk said last
+  std::optional<Pose2> walked_;                         // last odometry of the walk
   double yaw_ = 0.0;                                    // rad
   double bias_ = 0.0;                                   // rad/s, of the gyroscope about the vertical
   double still_for_ = 0.0;                              // s

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The button on the chest: a short press says one thing, a long one another.
+// The button on the chest: distinguishes short and long presses.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,25 @@ class ChestButton {
  public:
   enum class Press { none, brief, lasting };
 
-  /// Whether it is down at `time` (s). A long press is told while it lasts, a short one when it ends.
+  /// Call in each cycle with the state of the button at `time` (s). Returns a long press while it lasts, a short press
+  /// when it ends.
   Press feel(bool is_down, double time) {
     constexpr double kLasting = 3.0, kBounce = 0.03;  // s
     if (!is_down) {
-      const bool counts = since_ && !told_ && time - *since_ > kBounce;
+      const bool counts = since_ && !reported_ && time - *since_ > kBounce;
       since_.reset();
-      told_ = false;
+      reported_ = false;
       return counts ? Press::brief : Press::none;
     }
     if (!since_) since_ = time;
-    if (told_ || time - *since_ < kLasting) return Press::none;
-    told_ = true;
+    if (reported_ || time - *since_ < kLasting) return Press::none;
+    reported_ = true;
     return Press::lasting;
   }
 
  private:
-  std::optional<double> since_;  // s, down
-  bool told_ = false;
+  std::optional<double> since_;  // s, when the press started
+  bool reported_ = false;        // the long press was returned
 };
 
 }  // namespace reorient::nao

@@ -13,7 +13,7 @@ Lights lights_of(const Answer& answer) {
   std::array<Lights::Color, Lights::kEye> ring;
   ring.fill(kDimBlue);
   if (answer.room.usable) {
-    // Log-odds as a probability.
+    // Convert log-odds to a probability.
     const double reflected = 1.0 / (1.0 + std::exp(std::clamp(-answer.room.evidence, -30.0, 30.0)));
     const auto red = static_cast<std::size_t>(std::lround(reflected * static_cast<double>(ring.size())));
     for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i < red ? kRed : kGreen;

@@ -7,8 +7,8 @@
 
 namespace reorient::nao {
 
-/// Eyes: as much of each ring is green as the room speaks for the believed pose, and red as it speaks for its
-/// reflection; dim blue: it cannot tell. Chest: green while the room is learned, white while that is paused.
+/// Eyes: the green part of each ring is the probability of the believed pose, the red part that of the mirrored pose;
+/// dim blue: the room gives no evidence. Chest: green during training, white while training is paused.
 Lights lights_of(const Answer& answer);
 
 }  // namespace reorient::nao

@@ -23,7 +23,7 @@ CameraModel camera_of_width(const CameraOptics& optics, int width) {
   return camera_model(optics, width, width * optics.height / optics.width);
 }
 
-/// The guard says what its body does; what it does on its own feet the engine feels by itself.
+/// The posture that the guard reports. While the robot stands, the engine finds its posture by itself.
 ReportedPosture reported(GuardState state) {
   switch (state) {
     case GuardState::standing:
@@ -35,8 +35,7 @@ ReportedPosture reported(GuardState state) {
     case GuardState::standing_up:
     case GuardState::sitting_down:
     case GuardState::sitting:
-      return ReportedPosture::getting_up;  // it is no time to look at the room: the camera is lower than it is believed
-                                           // to be
+      return ReportedPosture::getting_up;  // do not use the images: the camera is lower than the engine assumes
   }
   return ReportedPosture::unknown;
 }
@@ -65,12 +64,12 @@ Nao::~Nao() {
   paused_ = true;
   try {
     ask(around_.now());
-  } catch (const std::exception&) {  // another guard has come that cannot be asked; without requests it sits down, too
+  } catch (const std::exception&) {  // the guard was replaced by another one; without requests it sits down, too
   }
 }
 
 bool Nao::observe(Observation& observation) {
-  constexpr double kPatience = 0.02;  // s: the guard has to hear from us more often than ten times a second
+  constexpr double kPatience = 0.02;  // s; the guard needs a request at least every 100 ms
   while (true) {
     const double now = around_.now();
     const bool feels = feel(now);
@@ -89,7 +88,7 @@ bool Nao::observe(Observation& observation) {
   observation = {};
   pairing_.take(observation);
   const BodyHistory::Moment moment = *history_.newest();
-  // What was felt after the image waits for the next frame.
+  // Samples after the image wait for the next frame.
   const auto later = std::find_if(body_samples_.begin(), body_samples_.end(),
                                   [&](const BodySample& sample) { return sample.time > observation.time; });
   given_.assign(body_samples_.begin(), later);
@@ -102,7 +101,7 @@ bool Nao::observe(Observation& observation) {
   return true;
 }
 
-/// What the body has measured since the last time. False: nothing for a while.
+/// Reads the measurements since the last call. Returns false if none has arrived for a while.
 bool Nao::feel(double now) {
   SharedBody* const body = around_.body();
   if (body == nullptr) {
@@ -124,8 +123,8 @@ bool Nao::feel(double now) {
   }
   if (guard_.state == GuardState::fallen && posture_ == WantedPosture::stand)
     posture_ = WantedPosture::soft;  // until the operator puts it on its feet and presses the button
-  // A battery that is being charged, or a leg that was let go, is no reason to rise by itself; a motor that has cooled
-  // is.
+  // Stay seated when the battery is charged again or a joint that was given up is free. A motor that was too hot does
+  // not change the request, so that the robot stands up when it has cooled.
   if ((guard_.worries & (kBatteryEmpty | kJointGivenUp)) != 0 && posture_ == WantedPosture::stand)
     posture_ = WantedPosture::sit;
   const std::optional<BodyHistory::Moment> newest = history_.newest();
@@ -135,7 +134,7 @@ bool Nao::feel(double now) {
 }
 
 void Nao::press_button(const Measurement& measurement) {
-  // A robot that lies on its front presses it by itself.
+  // A robot that lies on its front presses the button with its weight.
   constexpr float kOnItsFront = 1.0f;  // rad
   const bool is_down =
       measurement.has(SensorKey::touch) && measurement.touch[kChest] > 0.5f && measurement.angles[1] < kOnItsFront;
@@ -168,13 +167,13 @@ void Nao::hear_referee(double now) {
   }
 }
 
-/// The newest image of a camera, and how the head was turned when it was exposed.
+/// Reads the newest image of a camera and pairs it with the head angles at its exposure.
 void Nao::look(HeadCamera which, double now) {
   Eye& eye = which == HeadCamera::upper ? *upper_ : *lower_;
   const std::optional<VideoCamera::Image> image = eye.camera.look(now);
   const bool is_upper = which == HeadCamera::upper;
   if (image || eye.camera.state() == VideoState::closed) is_upper ? pairing_.drop_upper() : pairing_.drop_lower();
-  if (!image || eye.camera.state() != VideoState::running) return;  // do not train while the colors still drift
+  if (!image || eye.camera.state() != VideoState::running) return;  // do not train while the colors still change
   const double time = engine_time(image->time) + options_.image_delay;
   const std::optional<BodyHistory::Moment> moment = history_.at(time);
   if (!moment) {
@@ -230,10 +229,10 @@ void Nao::note_missing(Missing what, double now) {
   if (what != missing_) missing_since_ = now;
   missing_ = what;
   missing_for_ = what == Missing::nothing ? 0.0 : now - missing_since_;
-  if (what == Missing::nothing) told_missing_ = what;
-  constexpr double kWhile = 2.0;  // s
-  if (missing_for_ <= kWhile || what == told_missing_) return;
-  told_missing_ = what;
+  if (what == Missing::nothing) reported_missing_ = what;
+  constexpr double kReportAfter = 2.0;  // s
+  if (missing_for_ <= kReportAfter || what == reported_missing_) return;
+  reported_missing_ = what;
   if (around_.tell_missing) around_.tell_missing(what);
 }
 

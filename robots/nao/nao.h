@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A NAO v6 without another program: its cameras, its body behind the guard, the referee. It looks around, stands up and
-// sits down; it has no walk and does not get up (a walk is a part of its own: see docs/on-a-robot.md).
+// A NAO v6 without a team's program: its cameras, its body through the guard, the referee. It moves the head, stands up
+// and sits down. It does not get up and needs a separate program to walk (docs/on-a-robot.md).
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@
 
 namespace reorient::nao {
 
-/// What a robot waits for.
+/// Input that is missing.
 enum class Missing { nothing, guard, measurements, images };
 
-/// Where the referee's datagrams come from.
+/// Receives the datagrams of the referee and answers them.
 class RefereePort {
  public:
   virtual ~RefereePort() = default;
@@ -33,50 +33,51 @@ class RefereePort {
   virtual std::span<const std::byte> receive() = 0;
   /// Accepts only the sender of the last datagram for a while, because it was about our game.
   virtual void accept_sender() = 0;
-  /// To whom the last one came from.
+  /// Sends a datagram to the sender of the last one.
   virtual void answer(std::span<const std::byte> datagram) = 0;
 };
 
 struct NaoOptions {
   RobotBody body;                       ///< assets/robots/nao-v6.toml
-  int width = 640;                      ///< of the images, pixels; their height follows from the body's cameras
+  int width = 640;                      ///< of the images, pixels; the body's cameras determine the height
   std::array<CameraOffset, 2> offsets;  ///< of the upper and the lower camera
   double image_delay = 0.0;             ///< s from the driver's time of an image to the middle of its exposure
-  int team = 0, player = 0;             ///< 0: the referee is not heard
-  bool stands_at_once = false;          ///< without anybody pressing the chest's button
+  int team = 0, player = 0;             ///< 0: datagrams of the referee are ignored
+  bool stands_at_once = false;          ///< stand up at the start, without a press of the chest button
 };
 
-/// What is around it, so that a test can stand there.
+/// Access to the system, replaced by tests.
 struct NaoSurroundings {
   std::function<double()> now;  ///< s, monotonic
-  /// Until something is to be read, or for so many s at most.
+  /// Waits until one of the descriptors is readable, at most `seconds`.
   std::function<void(double seconds, std::span<const int> descriptors)> wait;
   std::function<bool()> is_over;
-  /// The memory that is shared with the guard; nullptr: no guard is there now.
+  /// Returns the memory that is shared with the guard, or nullptr if no guard runs.
   std::function<SharedBody*()> body;
-  std::function<void(Missing what)> tell_missing;  ///< for 2 s, and each once until all is there; may be empty
-  RunErrand run_errand = run_at_once;              ///< what a camera may take seconds for
+  /// Called once for each input that is missing for 2 s, until all inputs arrive again; may be empty.
+  std::function<void(Missing what)> tell_missing;
+  RunErrand run_errand = run_at_once;  ///< runs calls of a camera that may take seconds
   VideoDevice* upper = nullptr;
   VideoDevice* lower = nullptr;    ///< nullptr: only the upper camera is used
-  RefereePort* referee = nullptr;  ///< nullptr: it is not heard
+  RefereePort* referee = nullptr;  ///< nullptr: no datagrams are received
 };
 
 class Nao : public Robot {
  public:
   Nao(NaoOptions options, NaoSurroundings surroundings);
-  /// Asks the guard to sit down.
+  /// Requests the guard to sit down.
   ~Nao() override;
   Nao(const Nao&) = delete;
   Nao& operator=(const Nao&) = delete;
 
-  /// False: it is over, or the chest's button was pressed for 3 s.
+  /// Returns false if the run is over or the chest button was pressed for 3 s.
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
 
-  /// What it waits for at the moment, and for how long (s).
+  /// The input that is missing at present, and for how long (s).
   Missing missing() const { return missing_; }
   double missing_for() const { return missing_for_; }
-  /// What the guard does and worries about, as it last said.
+  /// The last report of the guard: its state and warnings.
   const GuardReport& guard() const { return guard_; }
   bool is_paused() const { return paused_; }
 
@@ -112,7 +113,7 @@ class Nao : public Robot {
   BodyHistory history_;
   std::uint64_t seen_ = 0;  // measurements
   std::vector<Measurement> news_;
-  std::vector<BodySample> body_samples_, given_;  // those that wait, and those of the present frame
+  std::vector<BodySample> body_samples_, given_;  // those for later frames, and those of the present frame
   ChestButton chest_;
   GuardReport guard_;
   GameController game_;
@@ -124,7 +125,7 @@ class Nao : public Robot {
   bool ends_ = false;
   Answer answer_;
   Missing missing_ = Missing::nothing;
-  Missing told_missing_ = Missing::nothing;         // the last one that was told
+  Missing reported_missing_ = Missing::nothing;     // the last one that was reported
   double missing_since_ = 0.0, missing_for_ = 0.0;  // s
   Counts counts_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The GameController's datagrams from the network.
+// Receives the GameController's datagrams from the network.
 #pragma once
 
 #include <array>
@@ -31,9 +31,9 @@ class UdpReferee : public RefereePort {
   int socket_ = -1;
   std::uint16_t return_port_;
   std::function<double()> now_;
-  sockaddr_in from_{};                 // the last one
-  std::optional<in_addr_t> accepted_;  // by its address
-  double heard_ = 0.0;                 // s, when from there
+  sockaddr_in from_{};                 // sender of the last datagram
+  std::optional<in_addr_t> accepted_;  // address of the accepted sender
+  double heard_ = 0.0;                 // s, time of the last datagram that was accepted
   std::array<std::byte, 512> datagram_{};
 };
 

@@ -14,17 +14,17 @@ namespace reorient::nao {
 namespace {
 
 constexpr double kPeriod = 1.0 / 30.0;  // s
-constexpr double kFirstImage = 1.0;     // s after the start, within which one has to come
-constexpr double kNextImage = 0.5;      // s, between two
-constexpr double kPause = 1.0;          // s before it is opened again
+constexpr double kFirstImage = 1.0;     // s from the start to the first image, at most
+constexpr double kNextImage = 0.5;      // s between two images, at most
+constexpr double kPause = 1.0;          // s before the device is opened again
 constexpr std::uint8_t kExtensionUnit = 3;
 
-// The sensor's own, by which white balance is done: gains of red, green and blue, 12 bits each in two bytes.
+// The sensor's registers for white balance: gains of red, green and blue, 12 bits each in two bytes.
 constexpr std::uint16_t kGains = 0x3400;
 constexpr std::uint8_t kRegister = 0x0e;  // selector of the extension unit
 constexpr double kRegisterPause = 0.1;    // s
 
-/// 0: read, 1: write; then the address and the value, the higher byte first.
+/// First 0 to read or 1 to write, then the address and the value, each with the higher byte first.
 std::array<std::uint8_t, 5> register_address(std::size_t gain) {
   return {0, static_cast<std::uint8_t>(kGains >> 8), static_cast<std::uint8_t>((kGains & 0xff) + gain), 0, 0};
 }
@@ -63,10 +63,10 @@ void VideoCamera::run(Errand what, double now) {
     end();
     return false;
   });
-  is_busy(now);  // it may be over
+  is_busy(now);  // the errand may be over
 }
 
-/// Whether an errand is under way still.
+/// Whether an errand still runs.
 bool VideoCamera::is_busy(double now) {
   if (!errand_.valid()) return false;
   if (errand_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return true;
@@ -103,7 +103,7 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
     if (state_ == VideoState::closed) return std::nullopt;
   }
   std::optional<Image> newest;
-  bool lost = false;  // unplugged, or its driver is at its end
+  bool lost = false;  // unplugged, or the driver failed
   for (std::size_t taken = 0; taken < kBuffers; ++taken) {
     v4l2_buffer buffer{};
     buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -132,7 +132,7 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
     ++counts_.images;
     Image image;
     image.time = static_cast<double>(buffer.timestamp.tv_sec) + 1e-6 * static_cast<double>(buffer.timestamp.tv_usec);
-    // The first ones have none; and nothing was exposed long ago, or will be.
+    // The first images have no time. A time long ago or in the future is invalid.
     constexpr double kOldest = 1.0;
     image.is_time_guessed = image.time <= 0.0 || image.time > now || image.time < now - kOldest;
     if (image.is_time_guessed) image.time = now - kPeriod;
@@ -143,7 +143,7 @@ std::optional<VideoCamera::Image> VideoCamera::look(double now) {
 
   const double patience = last_image_ <= begun_ ? kFirstImage : kNextImage;
   if (lost || now - last_image_ > patience) {
-    if (busy) return std::nullopt;  // it hangs in that, and is ended afterwards
+    if (busy) return std::nullopt;  // the device hangs in the errand; end it afterwards
     ++counts_.restarts;
     state_ = VideoState::closed;
     run(Errand::end, now);
@@ -164,7 +164,7 @@ bool VideoCamera::begin() {
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   if (device_.control(VIDIOC_STREAMON, &type) != 0) return false;
   streams_ = true;
-  set_controls();  // some only count while it streams
+  set_controls();  // some have an effect only while the camera streams
   held_.reset();
   asked_ = false;
   if (has_colors_) {
@@ -246,11 +246,11 @@ void VideoCamera::set_controls() {
   for (const auto& [control, value] : kControls) set_control(control, value);
 }
 
-/// Some only take a value that is another one than before.
+/// Some controls accept only a value that differs from the previous one.
 void VideoCamera::set_control(std::uint32_t control, int value) {
   v4l2_queryctrl range{};
   range.id = control;
-  if (device_.control(VIDIOC_QUERYCTRL, &range) != 0) return;  // this camera has none
+  if (device_.control(VIDIOC_QUERYCTRL, &range) != 0) return;  // this camera does not have the control
   v4l2_control wanted{control, std::clamp(value, range.minimum, range.maximum)};
   if (this->control(control) == wanted.value) return;
   if (device_.control(VIDIOC_S_CTRL, &wanted) != 0 ||
@@ -274,7 +274,7 @@ bool VideoCamera::extension(std::uint8_t query, std::uint8_t selector, std::span
   return device_.control(UVCIOC_CTRL_QUERY, &request) == 0;
 }
 
-/// Both axes at once: half a turn.
+/// Flips both axes, which rotates the image by 180 degrees.
 void VideoCamera::flip() {
   constexpr std::uint8_t kHorizontal = 0x0c, kVertical = 0x0d;
   for (const std::uint8_t selector : {kHorizontal, kVertical}) {
@@ -296,7 +296,7 @@ bool VideoCamera::lock_colors() {
     std::array<std::uint8_t, 5> data = register_address(locked_);
     asked_ = extension(UVC_SET_CUR, kRegister, data);
     if (asked_) return false;
-    locked_ = gains_.size();  // another camera, without such registers
+    locked_ = gains_.size();  // another camera, without these registers
   }
   write_colors();
   bound_exposure();
@@ -304,7 +304,7 @@ bool VideoCamera::lock_colors() {
   return true;
 }
 
-/// Sets the color gains that were found, also after a restart of the camera, because the room was learned with them.
+/// Sets the color gains that were read, also after a restart of the camera, because the room was learned with them.
 void VideoCamera::write_colors() {
   set_control(V4L2_CID_AUTO_WHITE_BALANCE, 0);
   for (std::size_t i = 0; i < gains_.size(); ++i) {
@@ -318,7 +318,7 @@ void VideoCamera::write_colors() {
 }
 
 /// If the light requires a longer exposure than a moving head allows, fixes the exposure and increases the gain.
-/// Otherwise both continue to follow the light, and so does the comparison with the room's colors.
+/// Otherwise both continue to adapt to the light, and so does the comparison with the room's colors.
 void VideoCamera::bound_exposure() {
   const std::optional<int> exposure = control(V4L2_CID_EXPOSURE_ABSOLUTE), gain = control(V4L2_CID_GAIN);
   if (!exposure || !gain || *exposure <= settings_.longest_exposure) return;

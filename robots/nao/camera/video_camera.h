@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One of a NAO's cameras through V4L2: opens, configures and reads it, and restarts it after a failure, without waiting
-// for it: slow calls run in another thread. Numbers and their order come from what RoboCup teams published about this
+// One of a NAO's cameras through V4L2: opens, configures and reads it, and restarts it after a failure. Slow calls run
+// in another thread and do not block. The numbers and their order are from publications of RoboCup teams about this
 // camera (OV5640 behind a USB bridge), mainly B-Human and HULKs.
 #pragma once
 
@@ -20,18 +20,18 @@ namespace reorient::nao {
 
 struct VideoSettings {
   std::string path = "/dev/video-top";
-  int width = 640;  ///< pixels: 320x240, 640x480 and 1280x960 are there
+  int width = 640;  ///< pixels; the camera supports 320x240, 640x480 and 1280x960
   int height = 480;
-  bool upside_down = true;  ///< as the upper one is mounted
-  double settling = 3.0;    ///< s for which white balance and exposure find their values before the first is locked
-  int longest_exposure =
-      1000;  ///< in the camera's units; in the dark the gain rises instead: a head turns while it looks
+  bool upside_down = true;  ///< the upper camera is mounted so
+  double settling = 3.0;    ///< s for which white balance and exposure adapt before white balance is locked
+  /// In the camera's units. In darkness the gain increases instead, because the head moves during an exposure.
+  int longest_exposure = 1000;
 };
 
-/// What it is about.
+/// The state of a camera.
 enum class VideoState { closed, settling, running };
 
-/// Runs what it is given, now or in a thread of its own, and hands its result over.
+/// Runs a function, at once or in a thread of its own, and returns its result.
 using RunErrand = std::function<std::future<bool>(std::function<bool()>)>;
 std::future<bool> run_at_once(const std::function<bool()>& errand);
 std::future<bool> run_apart(std::function<bool()> errand);
@@ -39,7 +39,7 @@ std::future<bool> run_apart(std::function<bool()> errand);
 class VideoCamera {
  public:
   VideoCamera(VideoDevice& device, VideoSettings settings, RunErrand run = run_at_once);
-  /// Waits for what is under way.
+  /// Waits for a running errand.
   ~VideoCamera();
   VideoCamera(const VideoCamera&) = delete;
   VideoCamera& operator=(const VideoCamera&) = delete;
@@ -55,15 +55,15 @@ class VideoCamera {
   std::optional<Image> look(double now);
 
   VideoState state() const { return state_; }
-  /// -1: there is nothing to wait for.
+  /// Descriptor to wait for, or -1.
   int descriptor() const { return is_the_devices_ ? -1 : device_.descriptor(); }
 
   struct Counts {
     std::uint64_t images = 0;
-    std::uint64_t superseded = 0;        ///< a newer one had come
-    std::uint64_t damaged = 0;           ///< too short, or said to be by the driver
-    std::uint64_t restarts = 0;          ///< the stream, or the device
-    std::uint64_t refused_controls = 0;  ///< that did not take their value
+    std::uint64_t superseded = 0;        ///< images not used because a newer one had arrived
+    std::uint64_t damaged = 0;           ///< images that are too short or that the driver marks as damaged
+    std::uint64_t restarts = 0;          ///< of the stream or the device
+    std::uint64_t refused_controls = 0;  ///< controls that could not be set
   };
   Counts counts() const {
     Counts all = counts_;
@@ -83,7 +83,7 @@ class VideoCamera {
   bool is_busy(double now);
   void is_done(Errand what, bool succeeded, double now);
 
-  // Errands, and their parts.
+  // Errands and their steps.
   bool begin();
   bool set_format();
   bool map_buffers();
@@ -104,29 +104,29 @@ class VideoCamera {
   VideoSettings settings_;
   RunErrand run_;
   VideoState state_ = VideoState::closed;
-  double begun_ = 0.0;         // s, the stream
+  double begun_ = 0.0;         // s, start of the stream
   double last_image_ = 0.0;    // s
   double next_attempt_ = 0.0;  // s
   double next_step_ = 0.0;     // s
-  bool has_settled_ = false;   // once
+  bool has_settled_ = false;   // at least once
   Counts counts_;
-  std::future<bool> errand_;  // that is under way
+  std::future<bool> errand_;  // the running one
   Errand what_ = Errand::begin;
-  bool is_the_devices_ = false;  // the errand opens or closes the device: nothing else is to be asked of it
+  bool is_the_devices_ = false;  // the errand opens or closes the device: no other call may use it
 
-  // While an errand begins or ends the stream they are its own.
+  // Used only by the errand while it starts or ends the stream.
   std::array<Buffer, kBuffers> buffers_;
   bool streams_ = false;
-  std::optional<std::uint32_t> held_;  // the buffer of the last image
+  std::optional<std::uint32_t> held_;  // buffer of the last image
 
-  // Only errands know them, and each is over before the next begins.
+  // Used only by errands, which never run at the same time.
   struct Exposure {
     int exposure, gain;  // in the camera's units
   };
-  std::array<std::optional<std::uint16_t>, 6> gains_;  // of the sensor's registers
-  std::size_t locked_ = 0;                             // how many were read
-  bool asked_ = false;                                 // for the next one
-  bool has_colors_ = false;                            // they are known, and so is whether the exposure is fixed
+  std::array<std::optional<std::uint16_t>, 6> gains_;  // values of the sensor's registers
+  std::size_t locked_ = 0;                             // number of registers that were read
+  bool asked_ = false;                                 // the address of the next register was sent
+  bool has_colors_ = false;                            // the gains are known, and whether the exposure is fixed
   std::optional<Exposure> fixed_;
   std::atomic<std::uint64_t> refused_controls_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors to a video device of Linux, so that a test can stand behind them.
+// Access to a Linux video device, replaced by tests.
 #pragma once
 
 #include <cstddef>
@@ -8,28 +8,28 @@
 
 namespace reorient::nao {
 
-/// Each call does what the system's of the same name does. Images are taken and given back at once; all else asks the
-/// camera over its USB, which takes seconds where that hangs.
+/// Each function calls the system function of the same name. Taking and returning images is fast. Other calls
+/// communicate with the camera over USB, which takes seconds if the camera hangs.
 class VideoDevice {
  public:
   virtual ~VideoDevice() = default;
 
-  /// False: there is no such device now.
+  /// Returns false if the device does not exist.
   virtual bool open(const std::string& path) = 0;
   virtual void close() = 0;
   virtual bool is_open() const = 0;
 
-  /// 0, or the error's number: EAGAIN where nothing has come yet.
+  /// Returns 0 or an error number; EAGAIN if no image has arrived yet.
   virtual int control(unsigned long request, void* argument) = 0;
-  /// nullptr: it cannot be mapped.
+  /// Returns nullptr if the memory cannot be mapped.
   virtual void* map(std::size_t length, std::int64_t offset) = 0;
   virtual void unmap(void* address, std::size_t length) = 0;
 
-  /// What poll() takes; -1: there is nothing to wait for.
+  /// Descriptor for poll(), or -1 if the device is closed.
   virtual int descriptor() const = 0;
 };
 
-/// The system's own.
+/// The device of the system.
 class SystemVideoDevice : public VideoDevice {
  public:
   ~SystemVideoDevice() override;

@@ -9,23 +9,23 @@
 namespace reorient::nao {
 namespace {
 
-constexpr double kHeadStops = 0.5;  // s without a request
-constexpr double kSitsDown = 1.0;   // s without a request
-constexpr double kUpright = 0.2;    // rad of roll and of pitch, within which it may stand up and sit down (Nao Devils)
-constexpr double kFalls = 0.7;      // rad: no robot that is held or walks leans that far
-constexpr double kStandUp = 2.4;    // s
-constexpr double kCrouch = 1.8;     // s, the first part of sitting down
-constexpr double kArmsDown = 0.6;   // s, the second
+constexpr double kHeadStops = 0.5;    // s without a request
+constexpr double kSitsDown = 1.0;     // s without a request
+constexpr double kUpright = 0.2;      // rad, largest roll and pitch for standing up and sitting down (Nao Devils)
+constexpr double kFalls = 0.7;        // rad, more than a robot leans that is held or walks
+constexpr double kStandUp = 2.4;      // s
+constexpr double kCrouch = 1.8;       // s, the first part of sitting down
+constexpr double kArmsDown = 0.6;     // s, the second part
 constexpr double kBackToStand = 1.0;  // s after a walk
 constexpr int kLetsGoAfter =
     417;  // cycles, 5 s: time for the operator to put the robot upright after stopping the guard
 
 constexpr float kLegs = 0.8f, kArms = 0.4f, kHead = 0.6f;  // stiffness
-constexpr float kHips = 0.1f;  // of a sitting robot, so that it does not tip over (Nao Devils)
+constexpr float kHips = 0.1f;  // stiffness of a sitting robot's hips, so that it does not tip over (Nao Devils)
 constexpr float kStiffening = static_cast<float>(kCycle / 0.3);  // from 0 to 1 in 0.3 s
 constexpr float kLoosening = static_cast<float>(kCycle / 1.0);
 
-constexpr float kFar = 0.35f;       // rad between a joint and where it should be
+constexpr float kFar = 0.35f;       // rad between a joint and its target
 constexpr int kStuckAfter = 42;     // cycles: half a second
 constexpr int kGivenUpAfter = 250;  // cycles: 3 s
 constexpr int kBlindAfter = 8;      // cycles: 0.1 s
@@ -35,19 +35,19 @@ constexpr std::uint32_t kUnwell = kTooHot | kBatteryEmpty | kJointGivenUp;
 
 float stiffness_of(std::size_t joint) { return is_head(joint) ? kHead : is_leg(joint) ? kLegs : kArms; }
 
-/// It rests on its calves, and needs no stiffness.
+/// Whether the robot rests on its calves and needs no stiffness.
 bool has_bent_knees(const JointValues& joints) {
   constexpr float kBent = 1.8f;  // rad
   return std::min(joints[kLeftKneePitch], joints[kRightKneePitch]) > kBent;
 }
 
-/// A number that was sent well may be nonsense all the same.
+/// Whether a value is plausible: a packet with valid format may contain wrong numbers.
 bool are_plausible(std::span<const float> angles) {
   constexpr float kMost = 7.0f;  // rad, more than a turn
   return std::all_of(angles.begin(), angles.end(), [](float angle) { return std::fabs(angle) < kMost; });
 }
 
-/// Of another process, which may have gone mad.
+/// Checks values of another process, which may be faulty.
 float in_range(float value, float least, float most, float otherwise) {
   return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
 }
@@ -60,15 +60,15 @@ void Guard::connected() {
   finishing_ = finishing;
 }
 
-/// The first measurement of a connection. A body that is stiff, or of which that is not known, may stand: to let go
-/// would make it fall.
+/// Handles the first measurement of a connection. A stiff body, or a body with unknown stiffness, may stand: removing
+/// the stiffness would make it fall.
 void Guard::take_over(const Measurement& measurement) {
   position_ = measured_;
   goal_ = measured_;
-  const bool is_told = measurement.has(SensorKey::stiffness);
+  const bool is_known = measurement.has(SensorKey::stiffness);
   float legs = 0.0f;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
-    stiffness_[joint] = is_told ? in_range(measurement.stiffness[joint], 0.0f, 1.0f, 0.0f) : stiffness_of(joint);
+    stiffness_[joint] = is_known ? in_range(measurement.stiffness[joint], 0.0f, 1.0f, 0.0f) : stiffness_of(joint);
     if (is_leg(joint)) legs += stiffness_[joint];
   }
   constexpr float kLimp = 0.05f * (kRightAnkleRoll - kHipYawPitch + 1);
@@ -92,13 +92,13 @@ std::optional<Command> Guard::step(const Measurement& measurement, const std::op
   worries_ = age <= kHolds ? worries_ & ~kNoRequest : worries_ | kNoRequest;
   decide(wanted(request, std::isfinite(age) ? age : kSitsDown + 1.0));
   if (!glide_.is_over()) goal_ = glide_.step();
-  if (state_ == GuardState::standing && age <= kHolds) follow(walk, age_of(walk));  // else it is held
+  if (state_ == GuardState::standing && age <= kHolds) follow(walk, age_of(walk));  // otherwise it holds its posture
   hold_head(request, age);
   limit();
   return Command{position_, stiffness_, lights(request)};
 }
 
-/// What the body says of itself.
+/// Checks the measurements of the body and updates the warnings.
 void Guard::look_after(const Measurement& measurement, const std::optional<RobotIdentity>& robot) {
   const auto set = [this](std::uint32_t worry, bool is) { worries_ = is ? worries_ | worry : worries_ & ~worry; };
   const bool has_positions = measurement.has(SensorKey::position) && are_plausible(measurement.position);
@@ -126,7 +126,7 @@ void Guard::look_after(const Measurement& measurement, const std::optional<Robot
     const auto hottest = std::max_element(measurement.status.begin(), measurement.status.end());
     set(kHot, *hottest >= 1.0f);
     if (*hottest >= 2.0f) set(kTooHot, true);
-    if (*hottest < 1.0f) set(kTooHot, false);  // not as soon as it is a little cooler
+    if (*hottest < 1.0f) set(kTooHot, false);  // hysteresis: not as soon as it is a little cooler
     if (*hottest >= 1.0f) joint_ = static_cast<std::uint32_t>(hottest - measurement.status.begin());
   }
   // A charge of exactly 0 means unknown, not an empty battery.
@@ -193,7 +193,7 @@ void Guard::decide(WantedPosture wanted) {
       if (!is_crouched_) {
         is_crouched_ = true;
         glide_ = Glide(goal_, sitting_posture(), kArmsDown);
-      } else if (has_bent_knees(measured_)) {  // else one is held, and soft legs would not carry it
+      } else if (has_bent_knees(measured_)) {  // otherwise an operator holds it, and soft legs would let it fall
         begin(GuardState::sitting);
       } else {
         let_go_at_last();
@@ -213,8 +213,8 @@ void Guard::decide(WantedPosture wanted) {
   }
 }
 
-/// Called if an operator holds the robot while the guard ends. The last command stays active after the guard, so it
-/// must not keep a leg stiff.
+/// Called if an operator holds the robot while the guard ends. The last command stays active after the guard ends, so
+/// it must not leave a leg stiff.
 void Guard::let_go_at_last() {
   const bool is_held = upright_within_ >= kUpright || state_ == GuardState::sitting_down;
   if (finishing_ && is_held && !has(kBlind | kForeignBody) && ++held_ > kLetsGoAfter) begin(GuardState::soft);
@@ -257,7 +257,8 @@ void Guard::begin(GuardState state) {
   }
 }
 
-/// A walk's joints. Where it says nothing for a while it is held, and then the robot goes back to standing.
+/// Follows the joints of a walk. If the walk writes nothing for a while, the robot holds its posture and then returns
+/// to standing.
 void Guard::follow(const std::optional<WalkTargets>& walk, double age) {
   const bool asks = walk && walk->moves_joints != 0;
   if (asks && age <= kHolds) {
@@ -273,10 +274,10 @@ void Guard::follow(const std::optional<WalkTargets>& walk, double age) {
   }
 }
 
-/// Where the head is to be in this cycle, limits aside.
+/// Sets the target of the head for this cycle, before limits.
 void Guard::hold_head(const std::optional<BodyRequest>& request, double age) {
   const bool has_head = state_ == GuardState::standing || state_ == GuardState::sitting;
-  // It is unknown for how many hours no request will come.
+  // Without requests for a while the head of a sitting robot becomes soft, because they may be missing for hours.
   if (state_ == GuardState::sitting) stiff_[kHeadYaw] = stiff_[kHeadPitch] = age > kSitsDown ? 0.0f : kHead;
   if (has_head && request && request->moves_head != 0 && age <= kHeadStops) {
     move_head(*request);
@@ -297,7 +298,7 @@ void Guard::move_head(const BodyRequest& request) {
   toward(kHeadPitch, request.head_pitch);
 }
 
-/// From where the joints shall be to where they may be told to be, one cycle on.
+/// Moves the commanded positions one cycle toward the targets, within the limits of the joints.
 void Guard::limit() {
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     const JointLimits& limits = kJointLimits[joint];
@@ -307,7 +308,7 @@ void Guard::limit() {
       stiffness_[joint] = std::max(stiffness_[joint] - kLoosening, stiff_[joint]);
     }
     float wanted = goal_[joint];
-    if (stiffness_[joint] <= 0.0f) continue;  // it is where it was measured
+    if (stiffness_[joint] <= 0.0f) continue;  // it stays at its measured position
     if (!is_leg(joint)) wanted = std::clamp(wanted, measured_[joint] - kFar, measured_[joint] + kFar);
     wanted = std::clamp(wanted, limits.least, limits.most);
     if (joint == kHeadPitch) {

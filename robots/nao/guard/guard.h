@@ -14,20 +14,20 @@ namespace reorient::nao {
 
 class Guard {
  public:
-  /// s: what was asked for longer ago is not followed any more.
+  /// Validity of a request, s. Older requests are ignored.
   static constexpr double kHolds = 0.1;
 
-  /// A robot answers, perhaps another one than before: nothing is known of where its joints are.
+  /// Call for a new connection, perhaps of another robot: the positions of its joints are unknown.
   void connected();
 
-  /// One cycle. `request`, `walk`: the newest that there are, however old; nothing where there was none. The first
-  /// command holds the joints where they were measured, without stiffness. Nothing: they were not measured yet.
+  /// One cycle. `request`, `walk`: the newest ones, of any age; empty if none was ever written. The first command holds
+  /// the joints at the measured positions, without stiffness. Returns nothing if the joints were not measured yet.
   std::optional<Command> step(const Measurement& measurement, const std::optional<RobotIdentity>& robot,
                               const std::optional<BodyRequest>& request, const std::optional<WalkTargets>& walk = {});
 
-  /// From now on it sits down, and then lets go, whatever is asked.
+  /// From now on the guard sits down and then removes all stiffness, regardless of requests.
   void finish() { finishing_ = true; }
-  /// Nothing that it still could do would make the body safer.
+  /// Whether the guard may end: no further command would make the body safer.
   bool is_at_rest() const;
 
   GuardState state() const { return state_; }
@@ -53,19 +53,19 @@ class Guard {
   std::uint32_t joint_ = 0;
   bool finishing_ = false;
 
-  bool is_known_ = false;  // where the joints are
+  bool is_known_ = false;  // the positions of the joints are known
   JointValues measured_{};
-  double tilt_ = 0.0;                 // rad, of the torso against upright
+  double tilt_ = 0.0;                 // rad, of the torso from upright
   double upright_within_ = 0.0;       // rad, the greater of roll and pitch
   int blind_ = 1000;                  // cycles without positions or angles
-  std::array<int, kJoints> stuck_{};  // cycles for which a joint is not where it should be
+  std::array<int, kJoints> stuck_{};  // cycles for which a joint has not reached its target
 
   Glide glide_;
-  bool is_crouched_ = false;  // while sitting down: the second part of the way
+  bool is_crouched_ = false;  // while sitting down: the second part of the motion
   bool walks_ = false;        // the walk moves the joints
-  int held_ = 0;              // cycles for which it could not sit down though it is to end
+  int held_ = 0;              // cycles for which it could not sit down although the guard must end
   JointValues goal_{};        // before limits
-  JointValues stiff_{};       // wanted
+  JointValues stiff_{};       // requested
   JointValues position_{};    // commanded
   JointValues stiffness_{};   // commanded
 };

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kSilent = 1.0;           // s without a packet, after which the guard connects again
 constexpr double kAgain = 0.5;            // s between two attempts to connect
-constexpr double kLongestFarewell = 8.0;  // s for sitting down at the end
+constexpr double kLongestFarewell = 8.0;  // s, limit for sitting down at the end
 
 volatile std::sig_atomic_t signals = 0;
 void count_signal(int) { signals = signals + 1; }
@@ -165,9 +165,9 @@ void run_guard(const GuardOptions& options, int out) {
   ask_for_real_time(options.priority, narrator);
   Session session(*body);
   Socket socket;
-  double heard = 0.0;  // the last time
+  double heard = 0.0;  // time of the last packet
   double next_attempt = 0.0;
-  double farewell = 0.0;  // when it must be over
+  double farewell = 0.0;  // time at which the guard must end
 
   const auto hang_up = [&](const char* why) {
     socket.hang_up();
@@ -186,7 +186,7 @@ void run_guard(const GuardOptions& options, int out) {
     }
     return true;
   };
-  /// False: nothing more can come.
+  /// Returns false if the connection is closed.
   const auto read_packets = [&] {
     while (true) {
       const std::span<std::byte> space = session.space();

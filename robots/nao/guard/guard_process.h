@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The guard as a process: connects to LoLA again and again, and answers each of its packets at once.
+// The guard as a process: connects to LoLA, also after a lost connection, and answers each of its packets at once.
 #pragma once
 
 #include <filesystem>

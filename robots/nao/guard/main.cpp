@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reorient-nao-guard: alone holds the body of a NAO, and goes on where the engine ends.
+// reorient-nao-guard: the only process that controls the joints of a NAO; it continues to run if the engine ends.
 #include <charconv>
 #include <cstdio>
 #include <exception>

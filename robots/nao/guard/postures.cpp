@@ -13,7 +13,7 @@ struct Leg {
   float hip_pitch, knee, ankle;
 };
 struct Arm {
-  float shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll, wrist_yaw;  // of the left one
+  float shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll, wrist_yaw;  // of the left arm
 };
 
 constexpr JointValues posture(const Leg& leg, const Arm& arm) {

@@ -42,22 +42,22 @@ bool Session::received(std::size_t size, double time) {
   return true;
 }
 
-/// The walk's odometry belongs to the measurement in whose cycle it is heard.
+/// The walk's odometry is assigned to the measurement of the cycle in which it is read.
 void Session::hear_walk() {
   WalkTargets walk;
-  if (body_.walk.read(walk)) walk_ = walk;  // else the last one, which grows old
+  if (body_.walk.read(walk)) walk_ = walk;  // otherwise the last one stays and becomes too old
   measurement_.is_walked = walk_ && std::fabs(measurement_.time - walk_->time) <= Guard::kHolds ? 1 : 0;
   if (measurement_.is_walked != 0) measurement_.walked = walk_->odometry;
 }
 
 void Session::answer() {
   BodyRequest request;
-  if (body_.request.read(request)) request_ = request;  // else the last one, which grows old
+  if (body_.request.read(request)) request_ = request;  // otherwise the last one stays and becomes too old
   const bool none_is_waiting = answer_size_ == 0 || (sent_ > 0 && !has_next_);
   if (none_is_waiting) {
     before_ = guard_;
   } else {
-    guard_ = before_;  // what was not sent was never told: the body is still where it was
+    guard_ = before_;  // the body has not received this answer and has not moved
   }
   const std::optional<Command> command = guard_.step(measurement_, reader_.robot(), request_, walk_);
   body_.report.write(report(measurement_.time));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One connection with LoLA as bytes: what it sent goes in, what it is to be sent comes out. Neither clock nor socket.
+// One connection with LoLA as bytes: received bytes in, bytes to send out. It has no clock and no socket.
 #pragma once
 
 #include <array>
@@ -19,19 +19,20 @@ namespace reorient::nao {
 
 class Session {
  public:
-  /// `body`: where measurements and reports go, and where requests come from.
+  /// `body`: receives measurements and reports, and provides requests.
   explicit Session(SharedBody& body) : body_(body) {}
 
   void connected();
   void disconnected();
 
-  /// Where what LoLA sends is to be written to, and that so much of it has come at `time` (s, monotonic). Of several
-  /// packets at once the newest is answered. False: it is no LoLA that speaks there, or all hope is lost: hang up.
+  /// Write received bytes to space(), then call received() with their number and their arrival time (s, monotonic). If
+  /// several packets arrive at once, the newest is answered. received() returns false if the bytes are not LoLA's: then
+  /// close the connection.
   std::span<std::byte> space() { return stream_.space(); }
   bool received(std::size_t size, double time);
 
-  /// What is to be sent, and that so much of it was sent at `time`. An answer that was begun is ended; one that was not
-  /// is replaced by a newer one.
+  /// Send the bytes of to_send(), then call sent() with the number that was sent at `time`. A partly sent answer is
+  /// completed first; an answer of which nothing was sent is replaced by a newer one.
   std::span<const std::byte> to_send() const { return std::span(answer_).subspan(sent_, answer_size_ - sent_); }
   void sent(std::size_t size, double time);
 
@@ -45,7 +46,7 @@ class Session {
 
   SharedBody& body_;
   Guard guard_;
-  Guard before_;  // the answer that waits to be sent
+  Guard before_;  // state before the answer that waits to be sent
   PacketStream stream_;
   SensorReader reader_;
   Measurement measurement_;
@@ -55,7 +56,7 @@ class Session {
   std::array<std::byte, kCommandBytes> answer_{}, next_{};
   std::size_t answer_size_ = 0, sent_ = 0;
   bool has_next_ = false;
-  double answered_time_ = 0.0, next_time_ = 0.0;  // s, when the packet had come that is answered
+  double answered_time_ = 0.0, next_time_ = 0.0;  // s, arrival of the packet that is answered
 };
 
 }  // namespace reorient::nao

@@ -29,12 +29,12 @@ bool SharedBody::newest(Measurement& measurement) const {
 
 std::uint64_t SharedBody::news(std::uint64_t seen, std::vector<Measurement>& later) const {
   const std::uint64_t count = measured.load(std::memory_order_acquire);
-  if (seen > count) seen = 0;  // another guard has begun
+  if (seen > count) seen = 0;  // the guard has restarted
   const std::uint64_t oldest = count < kMeasurements ? 0 : count - kMeasurements;
   for (std::uint64_t i = std::max(seen, oldest); i < count; ++i) {
     Measurement measurement;
     if (!measurements[i % kMeasurements].read(measurement)) continue;
-    // The guard may have been round meanwhile: then this is a later one, and comes again in its place.
+    // The guard may have overwritten it meanwhile: then this is a later measurement, which its own index returns.
     if (!later.empty() && measurement.time <= later.back().time) continue;
     later.push_back(measurement);
   }
@@ -45,7 +45,7 @@ std::filesystem::path default_body_file() { return "/dev/shm/reorient-nao-" + st
 
 namespace {
 
-/// The lock of the one engine, beside the guard's, which is of another kind: neither hinders the other.
+/// Locks the file for the only engine. The guard uses another type of lock, so the two do not conflict.
 bool lock_as_engine(int file) {
   struct flock first_byte {};
   first_byte.l_type = F_WRLCK;

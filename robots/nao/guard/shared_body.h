@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The memory that guard, engine and perhaps a walk share: the last 64 measurements on the one hand, the newest request
-// and the walk's joints on the other. Each value has one writer.
+// The memory that guard, engine and perhaps a walk share: the last 64 measurements, the newest request, and the joints
+// of the walk. Each value has one writer.
 #pragma once
 
 #include <array>
@@ -17,25 +17,25 @@ namespace reorient::nao {
 inline constexpr std::size_t kMeasurements = 64;
 
 struct SharedBody {
-  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e02u;  // the last byte counts its versions
+  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e02u;  // the last byte is the version
 
-  std::atomic<std::uint64_t> layout = 0;    ///< kLayout, once all else has begun
-  std::atomic<std::uint64_t> measured = 0;  ///< how many measurements there ever were
+  std::atomic<std::uint64_t> layout = 0;    ///< kLayout, written after all other values are initialized
+  std::atomic<std::uint64_t> measured = 0;  ///< number of measurements since the start
   std::array<SharedValue<Measurement>, kMeasurements> measurements;
   SharedValue<GuardReport> report;
   SharedValue<BodyRequest> request;
   SharedValue<WalkTargets> walk;  ///< never written without a walk
 
-  /// The guard's.
+  /// Adds a measurement; only the guard may call it.
   void add(const Measurement& measurement);
   /// Reads the newest measurement. Returns false if none exists or it is being written.
   bool newest(Measurement& measurement) const;
-  /// Appends those that came after the first `seen` ones, the oldest first; how many there ever were. What was
-  /// overwritten meanwhile is left out.
+  /// Appends the measurements after the first `seen` ones, the oldest first, without those that were overwritten.
+  /// Returns the number of measurements since the start.
   std::uint64_t news(std::uint64_t seen, std::vector<Measurement>& later) const;
 };
 
-/// A file in memory that both map. Its mode is 0600, and its name holds the user's number.
+/// Default path of the file that all map. Its mode is 0600, and its name contains the user's number.
 std::filesystem::path default_body_file();
 
 /// A mapping of the file.
@@ -58,7 +58,7 @@ class MappedBody {
  private:
   void close_all();
 
-  int file_ = -1;  // stays open as long as the mapping: the guard's and the engine's lock lie on it
+  int file_ = -1;  // stays open as long as the mapping, because guard and engine hold locks on it
   SharedBody* body_ = nullptr;
 };
 

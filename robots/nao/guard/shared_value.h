@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A value in memory that two processes share: one writes, the other reads the newest whole one, and neither ever waits
-// for the other, nor trusts it to be alive.
+// A value in memory that two processes share: one writes, the other reads the newest complete value. Neither waits for
+// the other, so that each continues if the other ends.
 #pragma once
 
 #include <array>
@@ -18,13 +18,13 @@ class SharedValue {
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
-  /// By one writer alone. One that died in the middle of a value leaves it unreadable until the next one is written.
+  /// Only one process may write. If it ends during a write, the value is unreadable until the next write.
   void write(const Value& value) {
     std::array<std::uint64_t, kWords> words{};
     std::memcpy(words.data(), &value, sizeof(Value));
     const std::uint64_t odd = sequence_.load(std::memory_order_relaxed) | 1u;
     sequence_.store(odd, std::memory_order_relaxed);
-    // Released, so that a reader that sees a new word sees the odd number, too.
+    // Release order, so that a reader that sees a new word also sees the odd number.
     for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_release);
     sequence_.store(odd + 1, std::memory_order_release);
   }

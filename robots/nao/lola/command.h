@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a NAO is told in one cycle of LoLA.
+// The command that a NAO receives in one cycle of LoLA.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@ struct Lights {
     float red = 0.0f, green = 0.0f, blue = 0.0f;
     bool operator==(const Color&) const = default;
   };
-  static constexpr std::size_t kEye = 8;  ///< in a ring
-  std::array<Color, kEye> left_eye{};     ///< from 45 degrees on, falling: 45, 0, 315, 270, 225, 180, 135, 90
-  std::array<Color, kEye> right_eye{};    ///< in ascending order from index 0
-  std::array<float, 10> left_ear{};       ///< from 0 degrees on, rising by 36
-  std::array<float, 10> right_ear{};      ///< from 324 on, falling
+  static constexpr std::size_t kEye = 8;  ///< LEDs in a ring
+  std::array<Color, kEye> left_eye{};     ///< at 45, 0, 315, 270, 225, 180, 135, 90 degrees
+  std::array<Color, kEye> right_eye{};    ///< in ascending order of the angles from 0 degrees
+  std::array<float, 10> left_ear{};       ///< at 0, 36, ..., 324 degrees
+  std::array<float, 10> right_ear{};      ///< at 324, 288, ..., 0 degrees
   Color chest, left_foot, right_foot;
   std::array<float, 12> skull{};
 };

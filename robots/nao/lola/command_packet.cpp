@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostValues = 25;
 
-/// A key's numbers as they stand in a packet: of the eyes first all eight of red, then green, then blue.
+/// The numbers of a key in the order of a packet. For the eyes: first all eight of red, then green, then blue.
 struct Numbers {
   std::array<float, kMostValues> values{};
   std::size_t count = 0;

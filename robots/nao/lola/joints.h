@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The 25 joints of a NAO in LoLA's order, and what its motors and its shell allow. Numbers: data sheet of the NAO v6
-// (joints, motors), B-Human 2024 and nao_lola for the order.
+// The 25 joints of a NAO in LoLA's order, and the limits of its motors and its shell. Sources: data sheet of the NAO v6
+// (joints, motors); B-Human 2024 and nao_lola (order).
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ enum Joint : std::size_t {
 using JointValues = std::array<float, kJoints>;
 
 struct JointLimits {
-  float least, most;  ///< rad; of hands from closed (0) to open (1)
-  float speed;        ///< rad/s without load; of hands 1/s
+  float least, most;  ///< rad; hands: 0 closed, 1 open
+  float speed;        ///< rad/s without load; hands: 1/s
 };
 
 inline constexpr std::array<JointLimits, kJoints> kJointLimits{{
@@ -57,8 +57,8 @@ inline constexpr std::array<JointLimits, kJoints> kJointLimits{{
 inline constexpr bool is_leg(std::size_t joint) { return joint >= kHipYawPitch && joint <= kRightAnkleRoll; }
 inline constexpr bool is_head(std::size_t joint) { return joint <= kHeadPitch; }
 
-/// How far the head may be pitched where it is turned by `yaw`: its shell would meet the shoulders (data sheet's table
-/// of the head's limits, linear between its rows).
+/// Limits of the head's pitch at `yaw`, beyond which its shell touches the shoulders (table of the head's limits in the
+/// data sheet, linear between its rows).
 struct PitchRange {
   float least, most;
 };

@@ -9,18 +9,18 @@
 namespace reorient::nao {
 namespace {
 
-/// Most significant byte first, as all of MessagePack.
+/// The most significant byte is the first, as everywhere in MessagePack.
 std::uint64_t number_from(std::span<const std::byte> bytes) {
   std::uint64_t value = 0;
   for (const std::byte byte : bytes) value = value << 8 | std::to_integer<std::uint64_t>(byte);
   return value;
 }
 
-/// What the first byte of a value says.
+/// The meaning of the first byte of a value.
 struct Head {
   PackedKind kind = PackedKind::never;
-  std::size_t length_bytes = 0;  // of the number that follows: a length, or the value itself
-  std::uint64_t immediate = 0;   // where nothing follows
+  std::size_t length_bytes = 0;  // length of the number that follows, which is a length or the value itself
+  std::uint64_t immediate = 0;   // the number if none follows
 };
 
 Head head_of(std::byte byte) {
@@ -30,7 +30,7 @@ Head head_of(std::byte byte) {
   if (first <= 0x9f) return {PackedKind::array, 0, first & 0x0fu};
   if (first <= 0xbf) return {PackedKind::text, 0, first & 0x1fu};
   if (first >= 0xe0) return {PackedKind::negative, 0, static_cast<std::uint64_t>(static_cast<std::int8_t>(first))};
-  const std::size_t power = std::size_t{1} << (first & 3u);  // of the integers: 1, 2, 4, 8
+  const std::size_t power = std::size_t{1} << (first & 3u);  // bytes of the integers: 1, 2, 4, 8
   switch (first) {
     case 0xc0:
       return {PackedKind::nothing, 0, 0};
@@ -74,7 +74,7 @@ Head head_of(std::byte byte) {
 
 PackedExtent first_packed_value(std::span<const std::byte> bytes) {
   using State = PackedExtent::State;
-  constexpr std::uint64_t kMostValues = 1 << 16;  // that may be missing: what nests without end is nonsense
+  constexpr std::uint64_t kMostValues = 1 << 16;  // that may be missing; deeper nesting is invalid
   std::size_t at = 0;
   for (std::uint64_t missing = 1; missing > 0; --missing) {
     if (at >= bytes.size()) return {State::cut_short, 0};
@@ -95,7 +95,7 @@ PackedExtent first_packed_value(std::span<const std::byte> bytes) {
   return {State::whole, at};
 }
 
-/// The first byte's meaning, which is taken off, and the number that it brings or that follows it.
+/// Removes the first byte and its number. Returns the meaning of the byte and the number in it or after it.
 std::optional<PackedReader::Beginning> PackedReader::begin(std::initializer_list<PackedKind> kinds) {
   if (rest_.empty()) return std::nullopt;
   const Head head = head_of(rest_.front());

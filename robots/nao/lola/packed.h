@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MessagePack, as much of it as LoLA speaks, without a heap: read in place, written into a buffer. What is read may be
-// anything; nothing here looks beyond the bytes that it was given, and no number is believed before it was compared
-// with them.
+// The part of MessagePack that LoLA uses, without heap memory: read in place, written into a buffer. The input may be
+// arbitrary bytes: the reader never accesses memory outside the given bytes, and checks each length against them.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +14,19 @@ namespace reorient::nao {
 
 enum class PackedKind { map, array, text, bytes, positive, negative, single, twice, truth, nothing, never };
 
-/// How much of `bytes` its first value takes.
+/// The length of the first value in some bytes.
 struct PackedExtent {
   enum class State { whole, cut_short, nonsense } state = State::nonsense;
-  std::size_t size = 0;  ///< bytes, of a whole one
+  std::size_t size = 0;  ///< bytes, if it is whole
 };
 PackedExtent first_packed_value(std::span<const std::byte> bytes);
 
-/// Reads one value after the other. After a mistake every further call gives nothing.
+/// Reads one value after another. After an error, every further call returns nothing.
 class PackedReader {
  public:
   explicit PackedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-  /// How many pairs of key and value follow. Nothing: this is no map.
+  /// Number of pairs of key and value that follow; nothing if this is not a map.
   std::optional<std::uint32_t> map();
   /// Number of values that follow; nothing if this is not an array.
   std::optional<std::uint32_t> array();
@@ -43,7 +42,7 @@ class PackedReader {
  private:
   struct Beginning {
     PackedKind kind;
-    std::size_t bytes;  // of the number; 0: it was in the first byte
+    std::size_t bytes;  // length of the number; 0: it is part of the first byte
     std::uint64_t number;
   };
   std::optional<Beginning> begin(std::initializer_list<PackedKind> kinds);
@@ -51,14 +50,14 @@ class PackedReader {
   std::span<const std::byte> rest_;
 };
 
-/// Writes into a buffer that is long enough; what does not fit is left out, and `size` is then greater than the buffer.
+/// Writes into a buffer. Values that do not fit are left out, and `size` is then greater than the buffer.
 class PackedWriter {
  public:
   explicit PackedWriter(std::span<std::byte> buffer) : buffer_(buffer) {}
 
   void map(std::uint32_t pairs);
   void array(std::uint32_t values);
-  void text(std::string_view text);  ///< of at most 31 bytes: older dialects know no others
+  void text(std::string_view text);  ///< at most 31 bytes, so that decoders of any MessagePack version can read it
   void number(float value);
   void small(std::uint8_t value);  ///< at most 127
   void truth(bool value);

@@ -46,8 +46,7 @@ std::span<float> values_of(Measurement& measurement, SensorKey key) {
   return {};
 }
 
-/// False: not as many as there should be, or not all of them numbers. The reader is behind the array in any case where
-/// it can be.
+/// Returns false if the count is wrong or a value is not a number. Skips the array in any case, if it is complete.
 bool read_numbers(PackedReader& reader, std::span<float> values) {
   PackedReader inside = reader;
   if (!reader.skip()) return false;
@@ -101,7 +100,7 @@ bool SensorReader::read(std::span<const std::byte> packet, Measurement& measurem
   if (!pairs) return false;
   for (std::uint32_t i = 0; i < *pairs; ++i) {
     const std::optional<std::string_view> name = reader.text();
-    if (!name) return true;  // what came before it counts
+    if (!name) return true;  // the values before it are valid
     const std::optional<SensorKey> key = key_at(i, *name);
     bool good = false;
     if (!key) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One packet of LoLA's as a measurement. Keys come in any order; unknown ones are left out; numbers may be of any kind.
+// Converts one packet of LoLA to a measurement. Keys may have any order, unknown keys are ignored, numbers may have any
+// type.
 #pragma once
 
 #include <array>
@@ -14,16 +15,16 @@ namespace reorient::nao {
 
 class SensorReader {
  public:
-  /// `packet`: one whole map. What it holds in good order (as many numbers as there have to be, all of them finite)
-  /// goes into `measurement` and is marked as fresh; everything else stays as it is there. False: it is no map.
+  /// `packet`: one whole map. Its valid values (expected count of numbers, all of them finite) are written to
+  /// `measurement` and marked as fresh; its other values are unchanged. Returns false if the packet is not a map.
   bool read(std::span<const std::byte> packet, Measurement& measurement);
 
-  /// Of the last packet that said it.
+  /// Identity from the last packet that contained it.
   const std::optional<RobotIdentity>& robot() const { return robot_; }
 
  private:
-  /// What a key of the packet before meant, at the same place. A robot's packets all have the same keys in the same
-  /// order, so that each is looked up once, not once a cycle.
+  /// The key at the same position in the previous packet. All packets of a robot have the same keys in the same order,
+  /// so each key is looked up only once and not in every cycle.
   struct Remembered {
     std::array<char, 32> name{};
     std::size_t length = 0;
