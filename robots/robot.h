@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The interface of a robot: it delivers observations and receives answers. Implementations are the simulator, a real
-// robot, footage, and a team's own program, which may have its own localization. Uses only plain values of geometry.
+// robot, recordings, footage, and a team's own program, which may have its own localization. Uses only plain values of
+// geometry.
 #pragma once
 
 #include <cstdint>
@@ -121,7 +122,7 @@ class Robot {
  public:
   virtual ~Robot() = default;
 
-  /// Waits for the next frame and fills it in. Returns false if no more frames follow (end of the run or footage).
+  /// Waits for the next frame and fills it in. Returns false if no more frames follow (end of the run or input).
   virtual bool observe(Observation& observation) = 0;
 
   /// Receives the result of the frame that started with the last observation.

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where the tests find the project and the programs that they start. The values are in a source of their own, written
-// by tests/CMakeLists.txt: no path of one machine stands in a command line, so that a compiler cache serves every
-// clone.
+// Paths of the project and of the programs that tests start. The values are in a generated source
+// (tests/CMakeLists.txt) and not in command lines, so that a compiler cache works for every clone.
 #pragma once
 
 namespace reorient {
 
 extern const char* const kSourceFolder;  ///< the top of the tree
 
-// Paths by which a test starts a program; an emulator runs those for another kind of processor.
+// Paths by which a test starts a program; an emulator runs programs for another type of processor.
 extern const char* const kProgram;  ///< reorient
 extern const char* const kGuard;    ///< reorient-nao-guard
 extern const char* const kLolaTwin;
@@ -16,6 +15,6 @@ extern const char* const kRealTimeJob;  ///< nao_real_time_job
 extern const char* const kTestRobot;
 extern const char* const kCompanionClient;  ///< the example client in C
 extern const char* const kSyncShim;         ///< a library to preload
-extern const char* const kDecoder;          ///< the library that decodes images of others; empty: it was not built
+extern const char* const kDecoder;          ///< the library that decodes footage; empty if it was not built
 
 }  // namespace reorient

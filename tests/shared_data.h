@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// A test that reads the folder $REORIENT_SHARED/`name`. Where that folder is missing, GoogleTest reports the test as
+/// A test that reads the folder $REORIENT_SHARED/`name`. If the folder is missing, GoogleTest reports the test as
 /// skipped, with the reason.
 class SharedDataTest : public testing::Test {
  protected:
@@ -20,7 +20,7 @@ class SharedDataTest : public testing::Test {
     const char* const root = std::getenv("REORIENT_SHARED");
     if (root == nullptr || *root == '\0') GTEST_SKIP() << "REORIENT_SHARED is not set";
     if (!std::filesystem::is_directory(std::filesystem::path(root) / name_)) {
-      GTEST_SKIP() << "REORIENT_SHARED=" << root << " holds no " << name_ << "/";
+      GTEST_SKIP() << "REORIENT_SHARED=" << root << " does not contain " << name_ << "/";
     }
     folder_ = std::filesystem::path(root) / name_;
   }

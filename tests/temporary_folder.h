@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder of its own for one test, gone afterwards.
+// A temporary folder for one test, removed afterwards.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// In place, as many editors save. Makes the folders on the way.
+  /// Writes a file in place, as many editors save. Creates missing folders.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
     std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -34,7 +34,7 @@ class TemporaryFolder {
     return file;
   }
 
-  /// Beside it, then renamed over it, as other editors save.
+  /// Writes a new file and renames it to the old name, as other editors save.
   void write_by_rename(const std::filesystem::path& name, std::string_view text) const {
     const std::filesystem::path beside = write(name.string() + ".new", text);
     std::filesystem::rename(beside, path_ / name);

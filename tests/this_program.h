@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a test calls its own program once more.
+// Lets a test start its own program again.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-/// For a shell. A program for another kind of processor is run by an emulator (cmake/targets.cmake).
+/// The command line for a shell. An emulator runs a program for another type of processor (cmake/targets.cmake).
 inline std::string this_program() {
   std::string command;
 #ifdef REORIENT_EMULATOR

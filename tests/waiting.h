@@ -14,7 +14,8 @@ inline constexpr std::chrono::seconds kWaitLimit{1200};
 inline constexpr std::chrono::seconds kWaitLimit{120};
 #endif
 
-/// Calls `happened()` until it returns true, with a pause between two calls. False: it stayed false for kWaitLimit.
+/// Calls `happened()` until it returns true, with a pause between two calls. Returns false if it stayed false for
+/// kWaitLimit.
 template <typename Event>
 bool await(const Event& happened, std::chrono::milliseconds pause = std::chrono::milliseconds(5)) {
   const auto end = std::chrono::steady_clock::now() + kWaitLimit;
@@ -25,8 +26,8 @@ bool await(const Event& happened, std::chrono::milliseconds pause = std::chrono:
   return true;
 }
 
-/// Lets at least this time pass. What a test expects must not depend on how much more passes, nor on what another
-/// program does meanwhile: for a random time before a signal, or a period that a program leaves between two actions.
+/// Waits at least this time: a random time before a signal, or the pause of a program between two actions. A test must
+/// not depend on how much longer the wait takes, nor on what another program does meanwhile.
 inline void let_time_pass(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 }  // namespace reorient

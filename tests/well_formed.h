@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a text is well-formed XML, as far as pages of ours go: elements, attributes in double quotes, entities.
+// Checks whether a text is well-formed XML, for the subset that Reorient's pages use: elements, attributes in double
+// quotes, entities.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace reorient {
 
-/// What is wrong with a piece of text between two elements, or with an attribute's value; empty: nothing.
+/// The error in a text between two elements or in the value of an attribute; empty if it is valid.
 inline std::string mistake_in_text(std::string_view text) {
   constexpr std::array<std::string_view, 5> kEntities{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -25,15 +26,16 @@ inline std::string mistake_in_text(std::string_view text) {
   return "";
 }
 
-/// Of what stands in a tag behind the element's name: ` a="b" c="d"`.
+/// The error in the attributes of a tag, which follow the element's name: ` a="b" c="d"`.
 inline std::string mistake_in_attributes(std::string_view text) {
   constexpr std::string_view kName = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
   while (!text.empty()) {
     const std::size_t equals = text.find("=\"");
-    if (text[0] != ' ' || equals == std::string_view::npos || equals < 2) return "no attribute";
-    if (text.substr(1, equals - 1).find_first_not_of(kName) != std::string_view::npos) return "an attribute's odd name";
+    if (text[0] != ' ' || equals == std::string_view::npos || equals < 2) return "invalid attribute";
+    if (text.substr(1, equals - 1).find_first_not_of(kName) != std::string_view::npos)
+      return "invalid name of an attribute";
     const std::size_t end = text.find('"', equals + 2);
-    if (end == std::string_view::npos) return "a value without an end";
+    if (end == std::string_view::npos) return "attribute value without an end";
     if (std::string mistake = mistake_in_text(text.substr(equals + 2, end - equals - 2)); !mistake.empty())
       return mistake;
     text.remove_prefix(end + 1);
@@ -41,9 +43,9 @@ inline std::string mistake_in_attributes(std::string_view text) {
   return "";
 }
 
-/// One line about the first mistake; empty: there is none.
+/// One line about the first error; empty if the page is well-formed.
 inline std::string mistake_in_markup(std::string_view page) {
-  if (!is_utf8(page)) return "it is no UTF-8";
+  if (!is_utf8(page)) return "invalid UTF-8";
   constexpr std::string_view kDoctype = "<!DOCTYPE html>\n";
   if (page.starts_with(kDoctype)) page.remove_prefix(kDoctype.size());
   std::vector<std::string_view> open;
@@ -52,11 +54,12 @@ inline std::string mistake_in_markup(std::string_view page) {
     if (std::string mistake = mistake_in_text(page.substr(0, begin)); !mistake.empty()) return mistake;
     if (begin == std::string_view::npos) break;
     const std::size_t end = page.find('>', begin);
-    if (end == std::string_view::npos) return "a tag without an end";
+    if (end == std::string_view::npos) return "tag without an end";
     std::string_view tag = page.substr(begin + 1, end - begin - 1);
     page.remove_prefix(end + 1);
     if (tag.starts_with('/')) {
-      if (open.empty() || open.back() != tag.substr(1)) return "ends what is not open: " + std::string(tag);
+      if (open.empty() || open.back() != tag.substr(1))
+        return "closing tag of an element that is not open: " + std::string(tag);
       open.pop_back();
       continue;
     }
@@ -64,12 +67,12 @@ inline std::string mistake_in_markup(std::string_view page) {
     if (is_single) tag.remove_suffix(1);
     const std::string_view name = tag.substr(0, tag.find(' '));
     if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789") != std::string_view::npos)
-      return "no tag: " + std::string(tag);
+      return "invalid tag: " + std::string(tag);
     if (const std::string mistake = mistake_in_attributes(tag.substr(name.size())); !mistake.empty())
       return mistake + " in " + std::string(tag);
     if (!is_single) open.push_back(name);
   }
-  return open.empty() ? "" : "does not end: " + std::string(open.back());
+  return open.empty() ? "" : "element without an end: " + std::string(open.back());
 }
 
 }  // namespace reorient

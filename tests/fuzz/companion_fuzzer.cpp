@@ -67,7 +67,7 @@ class Served {
   double now_ = 0.0;
   int looks_ = 0;
   double last_time_ = -1.0;
-  Companion companion_{{path(), nobody_known(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};
+  Companion companion_{{path(), no_known_robots(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};
 };
 
 }  // namespace

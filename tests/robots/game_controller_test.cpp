@@ -11,7 +11,7 @@
 namespace reorient {
 namespace {
 
-/// A datagram in which two teams, 7 and 5, play, and nothing else is said.
+/// A datagram of a game between teams 7 and 5, otherwise without information.
 std::vector<std::byte> datagram(int version) {
   const std::size_t player_bytes = version == 18 ? 2 : version == 19 ? 4 : 3;
   std::vector<std::byte> bytes(18 + 2 * (10 + 20 * player_bytes));
@@ -34,11 +34,11 @@ class EachVersion : public testing::TestWithParam<int> {
   ExternalInputs external_;
 };
 
-TEST_P(EachVersion, HasTheSizeThatTheLeagueSays) {
+TEST_P(EachVersion, HasTheSizeOfTheLeaguesDefinition) {
   EXPECT_EQ(bytes_.size(), GetParam() == 18 ? 118u : GetParam() == 19 ? 198u : 158u);
 }
 
-TEST_P(EachVersion, SaysWhatTheGameIsIn) {
+TEST_P(EachVersion, ContainsTheStateOfTheGame) {
   const GameState states[] = {GameState::initial, GameState::ready,    GameState::set,
                               GameState::playing, GameState::finished, GameState::standby};
   for (std::size_t i = 0; i < std::size(states); ++i) {
@@ -50,7 +50,7 @@ TEST_P(EachVersion, SaysWhatTheGameIsIn) {
   EXPECT_FALSE(game_.hear(bytes_, external_));
 }
 
-TEST_P(EachVersion, SaysWhetherThisPlayerIsPenalized) {
+TEST_P(EachVersion, ContainsThePenaltyOfThisPlayer) {
   for (std::size_t player = 0; player < 20; ++player) {
     std::vector<std::byte> one = bytes_;
     one[our_players() + player * size_of_player()] = std::byte{4};
@@ -61,7 +61,7 @@ TEST_P(EachVersion, SaysWhetherThisPlayerIsPenalized) {
   }
 }
 
-TEST_P(EachVersion, SaysThatAllMotionStopsAndWhoKicksOff) {
+TEST_P(EachVersion, ContainsTheStopOfAllMotionAndTheKickOff) {
   bytes_[8] = std::byte{1};
   bytes_[13] = std::byte{5};
   ASSERT_TRUE(game_.hear(bytes_, external_));
@@ -72,21 +72,21 @@ TEST_P(EachVersion, SaysThatAllMotionStopsAndWhoKicksOff) {
   EXPECT_EQ(external_.referee->kick_off, KickOff::theirs);
 }
 
-TEST_P(EachVersion, IsNewsOnce) {
+TEST_P(EachVersion, IsReportedOnlyIfItChanges) {
   ASSERT_TRUE(game_.hear(bytes_, external_));
   EXPECT_TRUE(external_.referee);
   external_ = {};
-  bytes_[5] = std::byte{9};  // its number
+  bytes_[5] = std::byte{9};  // number of the datagram
   ASSERT_TRUE(game_.hear(bytes_, external_));
   EXPECT_FALSE(external_.referee);
 }
 
-TEST_P(EachVersion, ChangesSidesWithTheHalfButNotWhileTheBallIsInTheGame) {
+TEST_P(EachVersion, ChangesSidesWithTheHalfButNotDuringPlay) {
   bytes_[10] = std::byte{3};
   ASSERT_TRUE(game_.hear(bytes_, external_));
   bytes_[12] = std::byte{0};
   ASSERT_TRUE(game_.hear(bytes_, external_));
-  EXPECT_FALSE(external_.half_time) << "a datagram that was changed on its way";
+  EXPECT_FALSE(external_.half_time) << "the half does not change during play";
   bytes_[10] = std::byte{0};
   ASSERT_TRUE(game_.hear(bytes_, external_));
   EXPECT_TRUE(external_.half_time);
@@ -95,14 +95,14 @@ TEST_P(EachVersion, ChangesSidesWithTheHalfButNotWhileTheBallIsInTheGame) {
   EXPECT_FALSE(external_.half_time);
 }
 
-TEST_P(EachVersion, OfOthersSaysNothing) {
+TEST_P(EachVersion, IsIgnoredForOtherTeamsAndInvalidPlayers) {
   EXPECT_FALSE(GameController(6, 3).hear(bytes_, external_));
   EXPECT_FALSE(GameController(5, 21).hear(bytes_, external_));
   EXPECT_FALSE(GameController().hear(bytes_, external_));
   EXPECT_FALSE(external_.referee);
 }
 
-TEST_P(EachVersion, OfAnotherSizeSaysNothing) {
+TEST_P(EachVersion, IsIgnoredIfItsSizeIsWrong) {
   for (std::size_t size = 0; size < bytes_.size(); ++size)
     EXPECT_FALSE(game_.hear(std::span(bytes_).first(size), external_));
   bytes_.push_back(std::byte{0});
@@ -112,7 +112,7 @@ TEST_P(EachVersion, OfAnotherSizeSaysNothing) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheGameController, EachVersion, testing::Values(18, 19, 20));
 
-TEST(GameController, OfAVersionThatIsNotKnownSaysNothing) {
+TEST(GameController, IgnoresAnUnknownVersion) {
   std::vector<std::byte> bytes = datagram(20);
   for (const int version : {0, 12, 17, 21, 255}) {
     bytes[4] = static_cast<std::byte>(version);
@@ -121,16 +121,16 @@ TEST(GameController, OfAVersionThatIsNotKnownSaysNothing) {
   }
 }
 
-RC_GTEST_PROP(GameController, NoiseSaysNothing, (const std::vector<std::uint8_t>& noise)) {
+RC_GTEST_PROP(GameController, ReportsAStateExactlyIfItAcceptsNoise, (const std::vector<std::uint8_t>& noise)) {
   std::vector<std::byte> bytes = datagram(20);
   for (std::size_t i = 0; i < noise.size() && i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(noise[i]);
   ExternalInputs external;
   GameController game(5, 3);
-  const bool heard = game.hear(bytes, external);
-  RC_ASSERT(heard == external.referee.has_value());
+  const bool accepted = game.hear(bytes, external);
+  RC_ASSERT(accepted == external.referee.has_value());
 }
 
-TEST(ReturnDatagram, IsOfThirtyTwoBytesAndTellsThePoseInMillimetres) {
+TEST(ReturnDatagram, HasThirtyTwoBytesAndContainsThePoseInMillimeters) {
   const std::array<std::byte, 32> bytes = return_datagram({5, 3, true, Pose2(1.5, -2.0, 0.5)});
   const auto number = [&bytes](std::size_t offset) {
     std::uint32_t bits = 0;

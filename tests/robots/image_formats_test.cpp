@@ -14,12 +14,12 @@ Image converted(const std::vector<std::uint8_t>& bytes, PixelFormat format) {
   return image;
 }
 
-TEST(ImageFormats, OursIsCopied) {
+TEST(ImageFormats, YuyvIsCopied) {
   const std::vector<std::uint8_t> bytes{1, 2, 3, 4, 5, 6, 7, 8};
   EXPECT_EQ(converted(bytes, PixelFormat::yuyv).bytes(), bytes);
 }
 
-TEST(ImageFormats, Nv12SharesItsChromaBetweenTwoRows) {
+TEST(ImageFormats, Nv12HasOneRowOfChromaForTwoRows) {
   const Image image = converted({10, 11, 20, 21, 100, 200}, PixelFormat::nv12);
   EXPECT_EQ(image.bytes(), (std::vector<std::uint8_t>{10, 100, 11, 200, 20, 100, 21, 200}));
 }
@@ -29,12 +29,12 @@ TEST(ImageFormats, GrayHasNoColor) {
             (std::vector<std::uint8_t>{1, 128, 2, 128, 3, 128, 4, 128}));
 }
 
-TEST(ImageFormats, RedGreenAndBlueAreThoseOfBt601) {
+TEST(ImageFormats, RgbIsConvertedByBt601) {
   const Image white = converted(std::vector<std::uint8_t>(12, 255), PixelFormat::rgb);
   EXPECT_EQ(white.view().at(0, 0), (Ycbcr{255, 128, 128}));
   const std::vector<std::uint8_t> red{255, 0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0};
   EXPECT_EQ(converted(red, PixelFormat::rgb).view().at(1, 1), (Ycbcr{76, 85, 255}));
-  EXPECT_EQ(converted(red, PixelFormat::bgr).view().at(1, 1), (Ycbcr{29, 255, 107})) << "that is blue, then";
+  EXPECT_EQ(converted(red, PixelFormat::bgr).view().at(1, 1), (Ycbcr{29, 255, 107})) << "read as BGR, it is blue";
 }
 
 TEST(ImageFormats, UyvySwapsBytes) {
@@ -42,7 +42,7 @@ TEST(ImageFormats, UyvySwapsBytes) {
             (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-TEST(ImageFormats, AFourthByteIsIgnored) {
+TEST(ImageFormats, TheFourthByteOfAPixelIsIgnored) {
   const std::vector<std::uint8_t> rgb{10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120};
   std::vector<std::uint8_t> rgba, bgra;
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
@@ -53,7 +53,7 @@ TEST(ImageFormats, AFourthByteIsIgnored) {
   EXPECT_EQ(converted(bgra, PixelFormat::bgra).bytes(), converted(rgb, PixelFormat::rgb).bytes());
 }
 
-TEST(ImageFormats, PaddingBehindRowsIsIgnored) {
+TEST(ImageFormats, PaddingAfterRowsIsIgnored) {
   Image gray(2, 2), nv12(2, 2);
   convert_image(std::vector<std::uint8_t>{1, 2, 99, 3, 4}, PixelFormat::gray, 3, gray);
   EXPECT_EQ(gray.bytes(), converted({1, 2, 3, 4}, PixelFormat::gray).bytes());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The client of the header that teams copy, beside a companion in the same process.
+// The client of the header that teams copy, with a companion in the same process.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -30,12 +30,12 @@ class CClient : public ::testing::Test {
   }
 
   void begin_companion() {
-    companion_.emplace(CompanionOptions{path(), nobody_known(), ++servers_, [this] { return now_; },
+    companion_.emplace(CompanionOptions{path(), no_known_robots(), ++servers_, [this] { return now_; },
                                         [this] { return ++looks_ > 3; }, 0.0});
     begun_ = false;
   }
 
-  /// The next observation, if there is one.
+  /// The next observation, if one has arrived.
   std::optional<Observation> observed() {
     looks_ = 0;
     const Handshake* const handshake = companion_->wait_for_handshake();
@@ -48,7 +48,7 @@ class CClient : public ::testing::Test {
     return observation;
   }
 
-  /// The next frame, with the robot `x` meters further than at the beginning.
+  /// Sends the next frame, with the robot `x` meters from its start.
   bool send(double x = 0.0, std::uint32_t has = 0) {
     reorient_frame frame{};
     reorient_image_begin(&client_, 0);
@@ -61,11 +61,11 @@ class CClient : public ::testing::Test {
     frame.told_pose[1] = 1.0;
     frame.told_deviation[0] = frame.told_deviation[1] = 0.1;
     const bool sent = reorient_send_frame(&client_, &frame, nullptr, nullptr) != 0;
-    EXPECT_EQ(frame.has, REORIENT_HAS_TIME | has) << "the frame is the caller's";
+    EXPECT_EQ(frame.has, REORIENT_HAS_TIME | has) << "the call does not change the frame of the caller";
     return sent;
   }
 
-  /// All that has come: the last message of a kind.
+  /// Reads all messages and returns the last one of a type.
   std::optional<reorient_event> heard(int wanted) {
     std::optional<reorient_event> last;
     reorient_event event;
@@ -98,18 +98,18 @@ TEST_F(CClient, MovesAnInitialPoseWithTheOdometryUntilAServerListens) {
   EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
   auto observation = observed();
   ASSERT_TRUE(observation && observation->external.initial_pose);
-  const InitialPose& told = *observation->external.initial_pose;
+  const InitialPose& initial = *observation->external.initial_pose;
   const Pose2 expected = reflect(Pose2(-1.5, 1.0, 0.0));
-  EXPECT_NEAR((told.pose.position - expected.position).norm(), 0.0, 1e-9) << told.pose.position.transpose();
-  EXPECT_NEAR(angle_difference(told.pose.rotation, expected.rotation), 0.0, 1e-9);
-  EXPECT_NEAR(told.position_deviation, 0.15, 1e-9) << "a tenth of half a meter";
+  EXPECT_NEAR((initial.pose.position - expected.position).norm(), 0.0, 1e-9) << initial.pose.position.transpose();
+  EXPECT_NEAR(angle_difference(initial.pose.rotation, expected.rotation), 0.0, 1e-9);
+  EXPECT_NEAR(initial.position_deviation, 0.15, 1e-9) << "a tenth of half a meter";
   EXPECT_TRUE(send(0.5, REORIENT_OTHER_HALF));
   observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_FALSE(observation->external.initial_pose) << "it is told once";
+  EXPECT_FALSE(observation->external.initial_pose) << "it is sent once";
 }
 
-TEST_F(CClient, DescribesALensBehindItsHello) {
+TEST_F(CClient, DescribesALensAfterItsHello) {
   begin_companion();
   EXPECT_TRUE(send());
   auto observation = observed();
@@ -134,7 +134,7 @@ TEST_F(CClient, DropsAnInitialPoseThatBecameTooUncertain) {
   EXPECT_FALSE(observation->external.initial_pose);
 }
 
-TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
+TEST_F(CClient, SendsAnInitialPoseAgainThatTheCompanionMayHaveLost) {
   begin_companion();
   EXPECT_TRUE(send(0.0, REORIENT_HAS_TOLD_POSE));
   companion_.reset();
@@ -153,7 +153,7 @@ TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
     EXPECT_TRUE(send(0.5));
     observation = observed();
     ASSERT_TRUE(observation);
-    EXPECT_FALSE(observation->external.initial_pose) << "it may be the same one";
+    EXPECT_FALSE(observation->external.initial_pose) << "the server may be the same one";
     answer();
     EXPECT_TRUE(heard(REORIENT_ANSWER));
     EXPECT_TRUE(send(0.5));
@@ -169,17 +169,17 @@ TEST_F(CClient, TellsAPoseAgainThatTheCompanionEndedWith) {
     EXPECT_TRUE(send(0.5));
     observation = observed();
     ASSERT_TRUE(observation);
-    EXPECT_FALSE(observation->external.initial_pose) << "once, as long as that one is there";
+    EXPECT_FALSE(observation->external.initial_pose) << "once, as long as this server runs";
   }
   restart();
-  EXPECT_FALSE(observation->external.initial_pose) << "it has been kept long ago";
+  EXPECT_FALSE(observation->external.initial_pose) << "the server has saved it long ago";
 }
 
-TEST_F(CClient, TakesAnUnsureToldPoseAlongAsWell) {
+TEST_F(CClient, MovesAnUncertainInitialPoseToo) {
   reorient_frame frame{};
   frame.has = REORIENT_HAS_TIME | REORIENT_HAS_TOLD_POSE;
   frame.told_deviation[0] = 0.1;
-  frame.told_deviation[1] = 3.2;  // where it is, but not which way it looks
+  frame.told_deviation[1] = 3.2;  // the position is known, the rotation is not
   frame.time = time_ += 0.1;
   EXPECT_FALSE(reorient_send_frame(&client_, &frame, nullptr, nullptr));
   EXPECT_FALSE(send());
@@ -190,7 +190,7 @@ TEST_F(CClient, TakesAnUnsureToldPoseAlongAsWell) {
   EXPECT_NEAR(observation->external.initial_pose->rotation_deviation, 3.2, 1e-9);
 }
 
-TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {
+TEST_F(CClient, IgnoresACommandForTheBeliefBeforeAnInitialPose) {
   begin_companion();
   EXPECT_TRUE(send());
   ASSERT_TRUE(observed());
@@ -208,7 +208,7 @@ TEST_F(CClient, CarriesNoCommandOutThatWasMeantForTheBeliefBeforeAToldPose) {
   EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0);
 }
 
-TEST_F(CClient, CarriesNoCommandOutTwiceWhereAnAnswerIsLookedAtAgainUnderAnotherServer) {
+TEST_F(CClient, DoesNotRepeatACommandFromAnOldAnswerAfterTheServerChanged) {
   begin_companion();
   EXPECT_TRUE(send());
   ASSERT_TRUE(observed());
@@ -222,14 +222,14 @@ TEST_F(CClient, CarriesNoCommandOutTwiceWhereAnAnswerIsLookedAtAgainUnderAnother
   EXPECT_TRUE(send());
   ASSERT_TRUE(observed());
   EXPECT_TRUE(heard(REORIENT_WELCOME));
-  EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0) << "that was another server's";
+  EXPECT_EQ(reorient_take_command(&client_, &event->answer), 0) << "the command of another server";
 }
 
-TEST_F(CClient, ReadsARefusalThoughSendingFails) {
+TEST_F(CClient, ReadsARefusalAlthoughSendingFails) {
   begin_companion();
   RawClient first(path());
   first.introduce(small_hello(3));
-  EXPECT_TRUE(send()) << "it is on its way";
+  EXPECT_TRUE(send()) << "the refusal has not arrived yet";
   static_cast<void>(observed());
   EXPECT_FALSE(send());
   const auto event = heard(REORIENT_REFUSAL);
@@ -238,7 +238,7 @@ TEST_F(CClient, ReadsARefusalThoughSendingFails) {
   EXPECT_LT(client_.socket, 0);
 }
 
-TEST_F(CClient, LeavesABrokenConnectionWithTheNextFrame) {
+TEST_F(CClient, ClosesABrokenConnectionWithTheNextFrame) {
   begin_companion();
   EXPECT_TRUE(send());
   companion_.reset();

@@ -7,7 +7,7 @@
 namespace reorient {
 namespace {
 
-TEST(ClientClock, BeginsAtZeroWhateverTheClientsClockShows) {
+TEST(ClientClock, StartsAtZeroForAnyTimeOfTheClientsClock) {
   ClientClock clock;
   const auto first = clock.advance(1, 1.7e9, Pose2(3.0, 2.0, 1.0), 0.0);
   ASSERT_TRUE(first);
@@ -25,14 +25,15 @@ TEST(ClientClock, ContinuesAfterTheClientsProcessRestarted) {
   const auto restarted = clock.advance(2, 5.0, Pose2(0.0, 0.0, 0.0), 3.0);
   ASSERT_TRUE(restarted);
   EXPECT_TRUE(clock.restarted());
-  EXPECT_NEAR(restarted->time, 4.0, 1e-9) << "a second, and three of silence";
-  EXPECT_NEAR(restarted->odometry.position.x(), 2.0, 1e-12) << "its odometry began at zero, ours goes on";
+  EXPECT_NEAR(restarted->time, 4.0, 1e-9) << "one second, and three seconds of silence";
+  EXPECT_NEAR(restarted->odometry.position.x(), 2.0, 1e-12)
+      << "the client's odometry restarts at zero, the engine's continues";
   const auto next = clock.advance(2, 5.1, Pose2(0.5, 0.0, 0.0), 0.1);
   EXPECT_FALSE(clock.restarted());
   EXPECT_NEAR(next->odometry.position.x(), 2.5, 1e-12);
 }
 
-TEST(ClientClock, LeavesFramesOutThatAreNotAfterTheLast) {
+TEST(ClientClock, DropsFramesThatAreNotAfterTheLast) {
   ClientClock clock;
   clock.advance(1, 10.0, Pose2(), 0.0);
   clock.advance(1, 11.0, Pose2(), 1.0);
@@ -41,7 +42,7 @@ TEST(ClientClock, LeavesFramesOutThatAreNotAfterTheLast) {
   EXPECT_TRUE(clock.advance(1, 11.1, Pose2(), 0.03));
 }
 
-TEST(ClientClock, ThatWentBackIsFollowedAfterASecond) {
+TEST(ClientClock, AcceptsAClockThatWasSetBackAfterASecond) {
   ClientClock clock;
   clock.advance(1, 1000.0, Pose2(), 0.0);
   clock.advance(1, 1001.0, Pose2(1.0, 0.0, 0.0), 1.0);
@@ -53,11 +54,11 @@ TEST(ClientClock, ThatWentBackIsFollowedAfterASecond) {
   }
   ASSERT_TRUE(moment);
   EXPECT_NEAR(left_out, 29, 1);
-  EXPECT_NEAR(moment->time, 2.0, 0.05) << "its silence counts";
-  EXPECT_NEAR(moment->odometry.position.x(), 1.0, 1e-12) << "the odometry has gone on";
+  EXPECT_NEAR(moment->time, 2.0, 0.05) << "the time of its silence is added";
+  EXPECT_NEAR(moment->odometry.position.x(), 1.0, 1e-12) << "the odometry continues";
 }
 
-RC_GTEST_PROP(ClientClock, OnlyEverGoesOn, ()) {
+RC_GTEST_PROP(ClientClock, NeverGoesBack, ()) {
   ClientClock clock;
   double last = -1.0;
   for (int i = 0; i < 200; ++i) {

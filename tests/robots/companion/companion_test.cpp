@@ -31,11 +31,15 @@ class CompanionTest : public ::testing::Test {
   CompanionTest() { companion_.emplace(options()); }
 
   CompanionOptions options() {
-    return {
-        folder_.path() / "socket", nobody_known(), 77, [this] { return now_; }, [this] { return ++looks_ > 3; }, 0.0};
+    return {folder_.path() / "socket",
+            no_known_robots(),
+            77,
+            [this] { return now_; },
+            [this] { return ++looks_ > 3; },
+            0.0};
   }
 
-  /// One frame, if there is one.
+  /// One frame, if one has arrived.
   std::optional<Observation> observed() {
     looks_ = 0;
     Observation observation;
@@ -62,7 +66,7 @@ class CompanionTest : public ::testing::Test {
   std::optional<Companion> companion_;
 };
 
-/// What the GameController says to the third player of team 5.
+/// A datagram of the GameController, sent by the third player of team 5.
 reorient_game game_of(bool first_half) {
   reorient_game game{};
   game.team = 5;
@@ -77,7 +81,7 @@ reorient_game game_of(bool first_half) {
   return game;
 }
 
-TEST_F(CompanionTest, HearsTheGameFromItsClient) {
+TEST_F(CompanionTest, ReceivesTheGameFromItsClient) {
   RawClient client = greeted();
   reorient_game game = game_of(false);
   game.datagram[18 + 70 + 10 + 6] = 12;  // the third player is sent off
@@ -94,7 +98,7 @@ TEST_F(CompanionTest, HearsTheGameFromItsClient) {
   EXPECT_FALSE(observation->external.referee);
 }
 
-TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
+TEST_F(CompanionTest, ConvertsAFrameToAnObservationAndAnswersIt) {
   RawClient client = greeted();
   reorient_frame frame = standing_frame(5, 33.0, client.paint(90));
   frame.has |= REORIENT_HAS_HEAD | REORIENT_HAS_TOLD_POSE | REORIENT_HAS_REFEREE | REORIENT_HAS_FOOT_LOAD;
@@ -117,7 +121,7 @@ TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
   ASSERT_TRUE(observation->external.initial_pose);
   EXPECT_EQ(observation->external.initial_pose->pose.position.x(), -2.0);
   EXPECT_TRUE(observation->external.referee->penalized);
-  EXPECT_FALSE(observation->belief) << "our localization counts";
+  EXPECT_FALSE(observation->belief) << "Reorient's localization is used";
 
   Answer answer;
   answer.belief = {Pose2(1.0, 2.0, 3.0), Eigen::Matrix3d::Identity(), true};
@@ -139,7 +143,7 @@ TEST_F(CompanionTest, TurnsAFrameIntoAnObservationAndAnswersIt) {
   EXPECT_EQ(heard->evidence, -3.0);
   EXPECT_EQ(heard->head[2], 1.5);
   EXPECT_EQ(heard->walk[2], -0.2);
-  EXPECT_EQ(heard->command, 0u) << "it was carried out here already";
+  EXPECT_EQ(heard->command, 0u) << "it is already carried out on the engine's belief";
 }
 
 TEST_F(CompanionTest, RepeatsACommandUntilItIsDone) {
@@ -160,18 +164,19 @@ TEST_F(CompanionTest, RepeatsACommandUntilItIsDone) {
   EXPECT_EQ(exchange(nothing, 0).command, 0u);
   EXPECT_EQ(exchange(flip, 0).command, 1u);
   EXPECT_EQ(exchange(nothing, 0).command_kind, std::uint32_t{REORIENT_FLIP});
-  EXPECT_EQ(exchange(flip, 0).command, 1u) << "the same again would undo it";
-  EXPECT_EQ(exchange(nothing, 1, 76).command, 1u) << "another server's was done";
+  EXPECT_EQ(exchange(flip, 0).command, 1u) << "a second flip would cancel the first";
+  EXPECT_EQ(exchange(nothing, 1, 76).command, 1u) << "the command of another server was done";
   EXPECT_EQ(exchange(nothing, 1).command, 0u);
   EXPECT_EQ(exchange(flip, 1).command, 2u);
   Answer purge;
   purge.reorientation = Reorientation::purge_reflection;
-  EXPECT_EQ(exchange(purge, 1).command_kind, std::uint32_t{REORIENT_FLIP}) << "it is about what the flip leaves over";
+  EXPECT_EQ(exchange(purge, 1).command_kind, std::uint32_t{REORIENT_FLIP})
+      << "the purge is for the belief after the flip";
   Answer reset;
   reset.reorientation = Reorientation::reset_orientation;
-  EXPECT_EQ(exchange(reset, 1).command, 3u) << "the newer takes the older one's place";
+  EXPECT_EQ(exchange(reset, 1).command, 3u) << "the newer command replaces the older one";
   EXPECT_EQ(exchange(nothing, 1).command_kind, std::uint32_t{REORIENT_RESET});
-  // Across a connection that is made again by the same process.
+  // After the same process has connected again.
   client.end();
   static_cast<void>(observed());
   client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
@@ -183,7 +188,7 @@ TEST_F(CompanionTest, RepeatsACommandUntilItIsDone) {
   EXPECT_EQ(exchange(nothing, 0).command, 0u);
 }
 
-TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
+TEST_F(CompanionTest, UsesTheNewestOfSeveralFramesAndLosesNoExternalInput) {
   RawClient client = greeted();
   for (std::uint64_t i = 1; i <= 3; ++i) {
     reorient_frame frame = standing_frame(i, static_cast<double>(i), client.paint(static_cast<std::uint8_t>(i)));
@@ -199,11 +204,10 @@ TEST_F(CompanionTest, TakesTheNewestOfSeveralFramesAndLosesNothingThatWasTold) {
   EXPECT_TRUE(observation->external.initial_pose);
   companion_->answer({});
   EXPECT_EQ(client.answer()->superseded, 2u);
-  EXPECT_FALSE(observed()) << "there is no other";
+  EXPECT_FALSE(observed()) << "no other frame waits";
 }
 
-/// Of a robot that was told where it stands.
-reorient_frame told_frame(std::uint64_t number, double time, std::uint64_t sequence) {
+reorient_frame frame_with_initial_pose(std::uint64_t number, double time, std::uint64_t sequence) {
   reorient_frame frame = standing_frame(number, time, sequence);
   frame.has |= REORIENT_HAS_TOLD_POSE;
   frame.told_pose[0] = -2.0;
@@ -212,7 +216,7 @@ reorient_frame told_frame(std::uint64_t number, double time, std::uint64_t seque
   return frame;
 }
 
-TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
+TEST_F(CompanionTest, DetectsHalfTimeAlsoIfFramesAreLost) {
   RawClient client = greeted();
   std::uint64_t number = 0;
   const auto frame_of = [&](std::uint32_t half) {
@@ -227,7 +231,7 @@ TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
     EXPECT_TRUE(observation);
     return observation && observation->external.half_time;
   };
-  EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF)) << "how a process begins is of no account";
+  EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF)) << "the value in the first frame of a process has no effect";
   EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF));
   EXPECT_TRUE(changes_sides(0));
   EXPECT_FALSE(changes_sides(0));
@@ -241,7 +245,7 @@ TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
   for (int i = 0; i < REORIENT_SLOTS; ++i) client.paint(2);
   client.send(REORIENT_FRAME, written_over);
   EXPECT_FALSE(observed());
-  EXPECT_TRUE(changes_sides(REORIENT_OTHER_HALF)) << "two frames were lost, and half-time with neither";
+  EXPECT_TRUE(changes_sides(REORIENT_OTHER_HALF)) << "two frames were lost, but not half-time";
   EXPECT_FALSE(changes_sides(REORIENT_OTHER_HALF));
   // A companion that was killed, and continues from the state before half-time.
   companion_.reset();
@@ -254,13 +258,13 @@ TEST_F(CompanionTest, LosesHalfTimeWithNoFrame) {
   client.end();
   static_cast<void>(observed());
   client = greeted(small_hello(8));
-  EXPECT_FALSE(changes_sides(0)) << "another process has begun in the axes of now";
+  EXPECT_FALSE(changes_sides(0)) << "another process has started in the present axes";
 }
 
-TEST_F(CompanionTest, HearsWhatIsToldWithAFrameThatIsOfNoUseOtherwise) {
+TEST_F(CompanionTest, UsesTheExternalInputsOfAnUnusableFrame) {
   RawClient client = greeted();
   std::vector<std::byte> bytes;
-  reorient_frame frame = told_frame(1, 1.0, client.paint(1));
+  reorient_frame frame = frame_with_initial_pose(1, 1.0, client.paint(1));
   frame.has |= REORIENT_HAS_REFEREE;
   frame.penalized = 1;
   frame.messages = 1;
@@ -279,11 +283,11 @@ TEST_F(CompanionTest, HearsWhatIsToldWithAFrameThatIsOfNoUseOtherwise) {
   EXPECT_EQ(observation->external.messages.size(), 1u);
 }
 
-TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
+TEST_F(CompanionTest, MovesAnInitialPoseToTheFrameThatIsUsed) {
   RawClient client = greeted();
   client.send_frame(0.5, 1);
   ASSERT_TRUE(observed());
-  client.send(REORIENT_FRAME, told_frame(2, 1.0, client.paint(1)));
+  client.send(REORIENT_FRAME, frame_with_initial_pose(2, 1.0, client.paint(1)));
   reorient_frame later = standing_frame(3, 1.5, client.paint(1));
   later.has |= REORIENT_OTHER_HALF;
   later.odometry[0] = 0.5;
@@ -294,11 +298,11 @@ TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
   const Pose2 moved = observation->external.initial_pose->pose, expected = reflect(Pose2(-1.5, 1.0, 0.0));
   EXPECT_NEAR((moved.position - expected.position).norm(), 0.0, 1e-9) << moved.position.transpose();
   EXPECT_NEAR(angle_difference(moved.rotation, expected.rotation), 0.0, 1e-9);
-  // The same where the GameController says it.
+  // The same if the GameController reports it.
   client.send(REORIENT_GAME, game_of(true));
   client.send_frame(2.0, 4);
   ASSERT_TRUE(observed());
-  client.send(REORIENT_FRAME, told_frame(5, 2.5, client.paint(1)));
+  client.send(REORIENT_FRAME, frame_with_initial_pose(5, 2.5, client.paint(1)));
   client.send(REORIENT_GAME, game_of(false));
   client.send_frame(3.0, 6);
   observation = observed();
@@ -307,10 +311,10 @@ TEST_F(CompanionTest, TakesAToldPoseAlongToTheFrameThatIsLookedAt) {
   EXPECT_NEAR(observation->external.initial_pose->pose.position.x(), 2.0, 1e-9);
 }
 
-TEST_F(CompanionTest, ForgetsAToldPoseWithTheProcessThatWasToldIt) {
+TEST_F(CompanionTest, DropsAnInitialPoseIfTheClientsProcessRestarts) {
   RawClient client = greeted();
   const auto tell = [&] {
-    reorient_frame frame = told_frame(1, 1.0, client.paint(1));
+    reorient_frame frame = frame_with_initial_pose(1, 1.0, client.paint(1));
     frame.images[0].age = -1.0;
     client.send(REORIENT_FRAME, frame);
     static_cast<void>(observed());
@@ -322,7 +326,7 @@ TEST_F(CompanionTest, ForgetsAToldPoseWithTheProcessThatWasToldIt) {
   client.send_frame(1.1, 2);
   auto observation = observed();
   ASSERT_TRUE(observation);
-  EXPECT_TRUE(observation->external.initial_pose) << "it has only connected again";
+  EXPECT_TRUE(observation->external.initial_pose) << "the same process has connected again";
   tell();
   client = greeted(small_hello(8));
   client.send_frame(1.1, 1);
@@ -352,7 +356,7 @@ TEST_F(CompanionTest, WithdrawsCommandsFromARestartedClientEvenIfItsFirstFrameIs
   EXPECT_EQ(client.answer()->command, 0u);
 }
 
-/// As it is felt at this moment of the client's clock.
+/// A sample at this time of the client's clock.
 reorient_sample sample_at(double time, double roll) {
   reorient_sample sample{};
   sample.time = time;
@@ -361,7 +365,7 @@ reorient_sample sample_at(double time, double roll) {
   return sample;
 }
 
-TEST_F(CompanionTest, KeepsWhatWasFeltAfterAnImageForTheNextFrame) {
+TEST_F(CompanionTest, StoresSamplesAfterAnImageForTheNextFrame) {
   RawClient client = greeted();
   std::vector<double> felt;
   constexpr int kPeriod = 3, kLate = 4;  // hundredths of a second
@@ -376,7 +380,7 @@ TEST_F(CompanionTest, KeepsWhatWasFeltAfterAnImageForTheNextFrame) {
     }
     for (const BodySample& sample : observation->body_samples) {
       EXPECT_LE(sample.time, observation->time);
-      EXPECT_NEAR(sample.torso.roll, sample.time, 1e-9) << "the engine's clock began with the first image";
+      EXPECT_NEAR(sample.torso.roll, sample.time, 1e-9) << "the engine's clock starts with the first image";
       felt.push_back(sample.time);
     }
   }
@@ -384,7 +388,7 @@ TEST_F(CompanionTest, KeepsWhatWasFeltAfterAnImageForTheNextFrame) {
   EXPECT_TRUE(std::is_sorted(felt.begin(), felt.end()));
 }
 
-TEST_F(CompanionTest, LeavesSamplesOutThatWereFeltBeforeTheLastFrameOrOnAnotherClock) {
+TEST_F(CompanionTest, DropsSamplesBeforeTheLastFrameOrOfAnotherClock) {
   RawClient client = greeted();
   client.send_frame(100.0, 1);
   ASSERT_TRUE(observed());
@@ -399,22 +403,22 @@ TEST_F(CompanionTest, LeavesSamplesOutThatWereFeltBeforeTheLastFrameOrOnAnotherC
   client.send_frame(103.0, 3);
   observation = observed();
   ASSERT_TRUE(observation);
-  ASSERT_EQ(observation->body_samples.size(), 1u) << "what was far ahead is not waited for";
+  ASSERT_EQ(observation->body_samples.size(), 1u) << "a sample far in the future is dropped";
   EXPECT_NEAR(observation->body_samples[0].time, 0.2, 1e-9);
 }
 
-TEST_F(CompanionTest, LeavesAnImageOutThatIsWrittenOver) {
+TEST_F(CompanionTest, DropsAnImageThatWasOverwritten) {
   RawClient client = greeted();
   const std::uint64_t sequence = client.paint(1);
   client.send(REORIENT_FRAME, standing_frame(1, 1.0, sequence));
-  for (int i = 0; i < 3; ++i) client.paint(2);  // round once
+  for (int i = 0; i < 3; ++i) client.paint(2);  // once through all slots
   EXPECT_FALSE(observed());
   EXPECT_EQ(companion_->counts().unusable, 1u);
   client.send_frame(1.1, 2);
-  EXPECT_TRUE(observed()) << "and goes on";
+  EXPECT_TRUE(observed()) << "later images are used";
 }
 
-TEST_F(CompanionTest, BelievesAClockThatWasSetBackAfterASecond) {
+TEST_F(CompanionTest, AcceptsAClockThatWasSetBackAfterASecond) {
   RawClient client = greeted();
   client.send_frame(100.0, 1);
   ASSERT_TRUE(observed());
@@ -427,10 +431,10 @@ TEST_F(CompanionTest, BelievesAClockThatWasSetBackAfterASecond) {
   }
   ASSERT_TRUE(observation);
   EXPECT_NEAR(static_cast<double>(tries), 30.0, 1.0);
-  EXPECT_NEAR(observation->time, 1.0, 0.05) << "the engine's time has gone on meanwhile";
+  EXPECT_NEAR(observation->time, 1.0, 0.05) << "the engine's time has continued meanwhile";
 }
 
-TEST_F(CompanionTest, LeavesFramesOutWhoseNumbersMakeNoSense) {
+TEST_F(CompanionTest, DropsFramesWithInvalidNumbers) {
   RawClient client = greeted();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::uint64_t number = 0;
@@ -449,12 +453,13 @@ TEST_F(CompanionTest, LeavesFramesOutWhoseNumbersMakeNoSense) {
   EXPECT_FALSE(with([&](reorient_frame& frame) { frame.belief[1] = nan; }));
   EXPECT_FALSE(with([&](reorient_frame& frame) { frame.acceleration[1] = -std::numeric_limits<double>::infinity(); }));
   EXPECT_FALSE(with([&](reorient_frame& frame) { frame.images[0].age = -1.0; }));
-  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.images[0].present = 2; })) << "no rotation is all zeros";
+  EXPECT_FALSE(with([&](reorient_frame& frame) { frame.images[0].present = 2; }))
+      << "a matrix of zeros is not a rotation";
   EXPECT_FALSE(with([&](reorient_frame& frame) {
     frame.has |= REORIENT_HAS_TOLD_POSE;
     frame.told_pose[0] = nan;
   }));
-  EXPECT_TRUE(with([](reorient_frame&) {})) << "and the client is still there";
+  EXPECT_TRUE(with([](reorient_frame&) {})) << "the client is still connected";
   EXPECT_EQ(companion_->counts().unusable, 8u);
 }
 
@@ -509,7 +514,7 @@ TEST_F(CompanionTest, RefusesInvalidMessagesWithTheReason) {
             std::string::npos);
 }
 
-TEST_F(CompanionTest, TakesNoMemoryThatCouldBeTakenAway) {
+TEST_F(CompanionTest, RefusesMemoryThatCouldShrink) {
   const auto refusal_of = [&](const OwnedDescriptor& memory, reorient_memory layout) {
     RawClient client(folder_.path() / "socket");
     client.send(REORIENT_HELLO, small_hello());
@@ -540,7 +545,7 @@ TEST_F(CompanionTest, TakesNoMemoryThatCouldBeTakenAway) {
   EXPECT_NE(refusal_of(huge, {0, slot}).find("of ordinary pages"), std::string::npos);
 }
 
-TEST_F(CompanionTest, ClosesAForeignSocketWithoutWaitingForItsOtherEnd) {
+TEST_F(CompanionTest, ClosesAReceivedSocketWithoutWaitingForItsPeer) {
   RawClient client = greeted();
   const OwnedDescriptor network(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
   linger patient{1, 60};
@@ -552,7 +557,7 @@ TEST_F(CompanionTest, ClosesAForeignSocketWithoutWaitingForItsOtherEnd) {
   EXPECT_EQ(patient.l_onoff, 0);
 }
 
-TEST_F(CompanionTest, ServesOneClientAndANewcomerOnlyWhereThatOneIsSilent) {
+TEST_F(CompanionTest, ReplacesAClientOnlyIfItIsSilent) {
   RawClient first = greeted();
   RawClient second(folder_.path() / "socket");
   static_cast<void>(observed());
@@ -567,7 +572,7 @@ TEST_F(CompanionTest, ServesOneClientAndANewcomerOnlyWhereThatOneIsSilent) {
   EXPECT_FALSE(first.is_connected());
 }
 
-TEST_F(CompanionTest, EndsWhereTheNextClientIsAnotherRobot) {
+TEST_F(CompanionTest, EndsIfTheNextClientIsAnotherRobot) {
   RawClient client = greeted();
   client.end();
   RawClient other(folder_.path() / "socket");
@@ -575,13 +580,13 @@ TEST_F(CompanionTest, EndsWhereTheNextClientIsAnotherRobot) {
   hello.body.yaw_limit = 0.5;
   other.introduce(hello);
   EXPECT_FALSE(observed());
-  EXPECT_FALSE(companion_->has_other_robot()) << "so far it has only said hello";
+  EXPECT_FALSE(companion_->has_other_robot()) << "it has sent only a hello so far";
   EXPECT_TRUE(other.hear().empty());
   other.send_frame(1.0, 1);
   EXPECT_FALSE(observed());
   ASSERT_TRUE(companion_->has_other_robot());
   companion_->begin(*companion_->wait_for_handshake(), false, 3);
-  EXPECT_TRUE(observed()) << "the frame has waited for its engine";
+  EXPECT_TRUE(observed()) << "the frame waited for its engine";
 }
 
 TEST_F(CompanionTest, ContinuesWithItsRobotAfterAnotherOneThatSentOnlyAHello) {
@@ -601,15 +606,15 @@ TEST_F(CompanionTest, ContinuesWithItsRobotAfterAnotherOneThatSentOnlyAHello) {
   EXPECT_FALSE(companion_->has_other_robot());
 }
 
-TEST_F(CompanionTest, TellsStatesAtFirstAndWheneverTheyChange) {
+TEST_F(CompanionTest, SendsStatesAtFirstAndWhenTheyChange) {
   RawClient client = greeted();
   const auto states = [&] {
     companion_->answer({});
-    std::vector<std::string> told;
+    std::vector<std::string> texts;
     for (const RawClient::Heard& one : client.hear()) {
-      if (one.kind == REORIENT_STATE) told.push_back(text_of(one.as<reorient_state>().state));
+      if (one.kind == REORIENT_STATE) texts.push_back(text_of(one.as<reorient_state>().state));
     }
-    return told;
+    return texts;
   };
   companion_->tell_state("orientation", "watching");
   EXPECT_EQ(states(), std::vector<std::string>{"watching"});
@@ -620,18 +625,18 @@ TEST_F(CompanionTest, TellsStatesAtFirstAndWheneverTheyChange) {
   client.end();
   static_cast<void>(observed());
   client = greeted();
-  EXPECT_EQ(states().size(), 1u) << "a new client knows nothing";
+  EXPECT_EQ(states().size(), 1u) << "a new client gets all states";
 }
 
 TEST_F(CompanionTest, SendsMessagesToTheTeamOnceAndOnlyWhileAClientIsConnected) {
   RawClient client = greeted();
   const auto words = [&] {
-    std::vector<std::string> told;
+    std::vector<std::string> texts;
     for (const RawClient::Heard& one : client.hear()) {
       if (one.kind == REORIENT_NOTE && one.as<reorient_note>().kind == REORIENT_NOTE_MESSAGE)
-        told.push_back(text_of(one.as<reorient_note>().text));
+        texts.push_back(text_of(one.as<reorient_note>().text));
     }
-    return told;
+    return texts;
   };
   Answer answer;
   answer.messages = {"I flipped", std::string(240, 'x')};
@@ -645,28 +650,28 @@ TEST_F(CompanionTest, SendsMessagesToTheTeamOnceAndOnlyWhileAClientIsConnected) 
   companion_->answer(answer);
   client = greeted();
   companion_->answer({});
-  EXPECT_TRUE(words().empty()) << "it was said before this client came";
+  EXPECT_TRUE(words().empty()) << "it was sent before this client connected";
 }
 
-TEST_F(CompanionTest, GoesOnWithoutAClientThatDoesNotRead) {
+TEST_F(CompanionTest, ContinuesWithoutAClientThatDoesNotRead) {
   RawClient client = greeted();
   for (int i = 0; i < 5000; ++i) companion_->answer({});
   EXPECT_GT(companion_->counts().unanswered, 1000u);
   client.send_frame(1.0, 1);
   EXPECT_TRUE(observed());
   const std::size_t heard = client.hear().size();
-  EXPECT_GT(heard, 100u) << "whole messages, all of them";
+  EXPECT_GT(heard, 100u) << "all messages are whole";
   companion_->answer({});
   EXPECT_TRUE(client.answer());
 }
 
-TEST_F(CompanionTest, ListensWhereOnlyItsUserMayConnect) {
+TEST_F(CompanionTest, AllowsOnlyItsUserToConnect) {
   struct stat status {};
   ASSERT_EQ(stat((folder_.path() / "socket").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0600u);
 }
 
-TEST_F(CompanionTest, SaysWhyItCannotListen) {
+TEST_F(CompanionTest, ReportsWhyItCannotListen) {
   const auto complaint = [&](const std::filesystem::path& path) -> std::string {
     CompanionOptions options = this->options();
     options.socket = path;
@@ -685,24 +690,24 @@ TEST_F(CompanionTest, SaysWhyItCannotListen) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "socket"));
 }
 
-TEST_F(CompanionTest, IsAloneWhereManyBeginAtOnce) {
+TEST_F(CompanionTest, OnlyOneListensIfManyStartAtOnce) {
   const std::filesystem::path path = folder_.path() / "contested";
   for (int round = 0; round < 20; ++round) {
-    // One ended without a word.
+    // The socket of a process that was killed.
     const OwnedDescriptor left(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     path.string().copy(address.sun_path, sizeof(address.sun_path) - 1);
     ASSERT_EQ(bind(left.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
 
-    std::array<std::unique_ptr<Connection>, 4> all;  // as many may wait to be accepted
+    std::array<std::unique_ptr<Connection>, 4> all;  // the number of connections that may wait to be accepted
     std::vector<std::thread> threads;
     threads.reserve(all.size());
     for (std::unique_ptr<Connection>& one : all) {
       threads.emplace_back([&one, &path] {
         try {
           one = std::make_unique<Connection>(path, [] { return 0.0; });
-        } catch (const std::runtime_error&) {  // another one was faster
+        } catch (const std::runtime_error&) {  // another companion was faster
         }
       });
     }
@@ -721,7 +726,7 @@ TEST_F(CompanionTest, DoesNotRemoveTheSocketOfAnotherProcess) {
   EXPECT_TRUE(RawClient(folder_.path() / "socket").is_connected());
 }
 
-TEST_F(CompanionTest, SaysWhyAFrameIsOfNoUseButNotOfEach) {
+TEST_F(CompanionTest, ReportsWhyAFrameIsUnusableButNotForEachFrame) {
   RawClient client = greeted();
   std::uint64_t number = 100;
   const auto notes_after = [&](const auto& spoil) {
@@ -742,7 +747,7 @@ TEST_F(CompanionTest, SaysWhyAFrameIsOfNoUseButNotOfEach) {
   ASSERT_EQ(first.size(), 1u);
   EXPECT_NE(first[0].find("frame 101 dropped: images[0].age is -0.005000 s (expected 0 to 1"), std::string::npos)
       << first[0];
-  EXPECT_TRUE(notes_after(has_young_image).empty()) << "who sends one sends many";
+  EXPECT_TRUE(notes_after(has_young_image).empty()) << "a client that sends one such frame sends many";
   now_ += 1.0;
   const std::vector<std::string> later = notes_after([](reorient_frame& frame) {
     frame.has |= REORIENT_HAS_TOLD_POSE;
@@ -753,7 +758,7 @@ TEST_F(CompanionTest, SaysWhyAFrameIsOfNoUseButNotOfEach) {
       << later[0];
 }
 
-TEST_F(CompanionTest, TellsAClientForWhichThereIsNoEngineWhyAndServesTheNext) {
+TEST_F(CompanionTest, RefusesAClientWithoutAnEngineWithTheReasonAndServesTheNext) {
   RawClient client(folder_.path() / "socket");
   client.introduce(small_hello());
   ASSERT_NE(companion_->wait_for_handshake(), nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clients that break, in simulated time: whatever a client does, the companion neither blocks nor crashes, and serves
-// the next.
+// Faulty clients, in simulated time: whatever a client does, the companion neither blocks nor crashes, and serves the
+// next client.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -23,7 +23,7 @@ class BrokenClients {
  public:
   explicit BrokenClients(std::uint64_t seed)
       : random_(seed, 0xb0c),
-        companion_({path(), nobody_known(), seed, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}) {}
+        companion_({path(), no_known_robots(), seed, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}) {}
 
   void live() {
     const int actions = 10 + static_cast<int>(40.0 * random_.uniform());
@@ -56,7 +56,7 @@ class BrokenClients {
     return numbers[below(std::size(numbers))];
   }
 
-  /// As a client sends it, with its image.
+  /// A frame as a client sends it, with an image.
   reorient_frame good_frame(RawClient& client) {
     time_ += 0.03;
     ++number_;
@@ -70,12 +70,12 @@ class BrokenClients {
       std::function<void()> act;
     };
     const Action actions[] = {
-        {"good frames",
+        {"valid frames",
          [&] {
            RawClient& one = client();
            for (std::size_t i = 0; i < 1 + below(4); ++i) one.send(REORIENT_FRAME, good_frame(one));
          }},
-        {"gone in the middle of a message",
+        {"disconnected during a message",
          [&] {
            RawClient& one = client();
            std::vector<std::byte> bytes;
@@ -84,7 +84,7 @@ class BrokenClients {
            one.send_bytes(bytes);
            one.end();
          }},
-        {"gone", [&] { client().end(); }},
+        {"disconnected", [&] { client().end(); }},
         {"a wrong version",
          [&] {
            const reorient_header header{8, REORIENT_FRAME, static_cast<std::uint16_t>(3 + below(60000))};
@@ -96,7 +96,7 @@ class BrokenClients {
                                         REORIENT_VERSION_2};
            client().send_bytes(std::as_bytes(std::span(&header, 1)));
          }},
-        {"numbers that are none",
+        {"invalid numbers",
          [&] {
            RawClient& one = client();
            reorient_frame frame = good_frame(one);
@@ -123,7 +123,7 @@ class BrokenClients {
          [&] {
            RawClient& one = client();
            if (one.memory() >= 0) {
-             EXPECT_NE(ftruncate(one.memory(), 64), 0) << "the seal forbids it";
+             EXPECT_NE(ftruncate(one.memory(), 64), 0) << "the seal prevents it";
            }
            one.send(REORIENT_FRAME, good_frame(one));
          }},
@@ -142,7 +142,7 @@ class BrokenClients {
              one.send_bytes(bytes, memory.get());
            }
          }},
-        {"images that were written over",
+        {"overwritten images",
          [&] {
            RawClient& one = client();
            reorient_frame frame = good_frame(one);
@@ -154,7 +154,7 @@ class BrokenClients {
            clients_.emplace_back(path());
            clients_.back().introduce(small_hello(5));
          }},
-        {"a client that says nothing", [&] { clients_.emplace_back(path()); }},
+        {"a client that sends nothing", [&] { clients_.emplace_back(path()); }},
         {"a flood",
          [&] {
            RawClient& one = client();
@@ -175,7 +175,7 @@ class BrokenClients {
              bytes[below(bytes.size())] = static_cast<std::byte>(below(256));
            one.send_bytes(bytes);
          }},
-        {"a hello once more", [&] { client().send(REORIENT_HELLO, small_hello(2)); }},
+        {"a second hello", [&] { client().send(REORIENT_HELLO, small_hello(2)); }},
         {"another robot",
          [&] {
            reorient_hello hello = small_hello(3);
@@ -184,7 +184,7 @@ class BrokenClients {
            clients_.emplace_back(path());
            clients_.back().introduce(hello);
          }},
-        {"samples without end",
+        {"a flood of samples",
          [&] {
            reorient_sample sample{};
            sample.time = time_;
@@ -204,7 +204,7 @@ class BrokenClients {
     if (clients_.size() > 5) clients_.erase(clients_.begin());
   }
 
-  /// What the engine does, frame by frame.
+  /// Processes frames like an engine.
   void look() {
     looks_ = 0;
     if (!engine_) {
@@ -228,7 +228,7 @@ class BrokenClients {
     companion_.answer(answer);
   }
 
-  /// The next client finds a companion that works.
+  /// Checks that the companion serves the next client.
   void go_on() {
     clients_.clear();
     now_ += 5.0;
@@ -262,7 +262,7 @@ class BrokenClients {
   std::map<std::string, int> done_;
 };
 
-TEST(BrokenClients, EndTheirOwnConnectionsAndNothingElse) {
+TEST(BrokenClients, EndOnlyTheirOwnConnections) {
   const char* const wanted = std::getenv("REORIENT_SEQUENCES");
   const std::uint64_t sequences = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 50;
   std::map<std::string, int> done;

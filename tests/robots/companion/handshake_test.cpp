@@ -14,23 +14,23 @@ namespace {
 
 std::span<const std::byte> bytes_of(const reorient_hello& hello) { return std::as_bytes(std::span(&hello, 1)); }
 
-/// Empty: it is taken.
+/// The reason why a hello is refused; empty if it is accepted.
 std::string complaint_about(const reorient_hello& hello) {
   try {
-    static_cast<void>(read_handshake(bytes_of(hello), nobody_known()));
+    static_cast<void>(read_handshake(bytes_of(hello), no_known_robots()));
     return {};
   } catch (const BadMessage& bad) {
     return bad.what();
   }
 }
 
-TEST(Handshake, SaysWhichRobotItIs) {
-  const Handshake handshake = read_handshake(bytes_of(small_hello(9)), nobody_known());
+TEST(Handshake, DescribesTheRobot) {
+  const Handshake handshake = read_handshake(bytes_of(small_hello(9)), no_known_robots());
   EXPECT_EQ(handshake.client, 9u);
   EXPECT_FALSE(handshake.own_localization);
   EXPECT_TRUE(handshake.carries_out_head);
   EXPECT_TRUE(handshake.carries_out_walk);
-  EXPECT_FALSE(handshake.carries_out_get_up) << "it does not want to, and cannot";
+  EXPECT_FALSE(handshake.carries_out_get_up) << "it does not carry out this request, and cannot get up";
   EXPECT_EQ(handshake.body.name, "a test robot");
   EXPECT_EQ(handshake.body.neck.yaw, 2.0);
   EXPECT_EQ(handshake.body.standing_load, 5.0);
@@ -45,7 +45,7 @@ TEST(Handshake, MayNameARobotAndAField) {
   set_text(hello.body.name, "k9");
   hello.field = {};
   hello.cameras[0].position[2] = 0.07;
-  KnownRobots known = nobody_known();
+  KnownRobots known = no_known_robots();
   known.body = [](const std::string& name) {
     RobotBody body;
     body.field = "lawn";
@@ -58,27 +58,27 @@ TEST(Handshake, MayNameARobotAndAField) {
   };
   const Handshake handshake = read_handshake(bytes_of(hello), known);
   EXPECT_EQ(handshake.field.length, 12.0);
-  EXPECT_EQ(handshake.body.dimensions.upper.position.z(), 0.07) << "its own calibration counts";
-  EXPECT_FALSE(handshake.body.lower_camera) << "and so do the cameras that it has";
+  EXPECT_EQ(handshake.body.dimensions.upper.position.z(), 0.07) << "the calibration of the hello is used";
+  EXPECT_FALSE(handshake.body.lower_camera) << "the cameras of the hello are used";
 }
 
-TEST(Handshake, OfTheSameRobotMayBringAnotherCalibration) {
+TEST(Handshake, MayHaveAnotherCalibrationOfTheSameRobot) {
   reorient_hello hello = small_hello(1);
-  const Handshake one = read_handshake(bytes_of(hello), nobody_known());
+  const Handshake one = read_handshake(bytes_of(hello), no_known_robots());
   hello.client = 2;
   hello.cameras[0].tilt += 0.003;
   hello.cameras[0].focal[0] += 0.7;
   hello.cameras[0].center[1] -= 1.5;
   hello.cameras[0].distortion[0] = 0.01;
-  EXPECT_EQ(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
+  EXPECT_EQ(identity_of(one), identity_of(read_handshake(bytes_of(hello), no_known_robots())));
   hello.cameras[0].width *= 2;
-  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), no_known_robots())));
   hello = small_hello(1);
   hello.way = REORIENT_OWN_LOCALIZATION;
-  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), no_known_robots())));
   hello = small_hello(1);
   hello.body.yaw_limit = 1.0;
-  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
+  EXPECT_NE(identity_of(one), identity_of(read_handshake(bytes_of(hello), no_known_robots())));
 }
 
 TEST(Handshake, WithAnErrorIsRefusedWithTheReason) {
@@ -120,35 +120,35 @@ std::vector<std::byte> with_lenses(const reorient_hello& hello, const std::array
   return bytes;
 }
 
-TEST(Handshake, MayDescribeALensBehindTheHello) {
+TEST(Handshake, MayDescribeALensAfterTheHello) {
   std::array<reorient_lens, 2> lenses{};
   lenses[0] = {REORIENT_LENS_FISHEYE, 4, {0.02, -0.003, 0.001, -0.0002}};
-  const Handshake handshake = read_handshake(with_lenses(small_hello(), lenses), nobody_known());
+  const Handshake handshake = read_handshake(with_lenses(small_hello(), lenses), no_known_robots());
   const CameraModel camera = camera_model(*handshake.cameras[0], handshake.lenses[0]);
   EXPECT_EQ(camera.projection, CameraProjection::fisheye);
   EXPECT_EQ(camera.k4, -0.0002);
   EXPECT_GT(handshake.body.upper_camera.field_of_view_horizontal,
-            read_handshake(bytes_of(small_hello()), nobody_known()).body.upper_camera.field_of_view_horizontal);
+            read_handshake(bytes_of(small_hello()), no_known_robots()).body.upper_camera.field_of_view_horizontal);
   lenses[0] = {REORIENT_LENS_PINHOLE, 5, {0.02, -0.003, 0.001, -0.0002, 0.001}};
-  EXPECT_EQ(read_handshake(with_lenses(small_hello(), lenses), nobody_known()).lenses[0].k3, 0.001);
+  EXPECT_EQ(read_handshake(with_lenses(small_hello(), lenses), no_known_robots()).lenses[0].k3, 0.001);
 }
 
-TEST(Handshake, WithALensThatSaysNothingIsTheSameAsWithout) {
+TEST(Handshake, WithAnEmptyLensIsTheSameAsWithoutALens) {
   reorient_hello hello = small_hello();
   hello.cameras[0].distortion[0] = 0.05;
-  const Handshake one = read_handshake(with_lenses(hello, {}), nobody_known());
+  const Handshake one = read_handshake(with_lenses(hello, {}), no_known_robots());
   EXPECT_EQ(one.lenses[0].k1, 0.05);
-  EXPECT_EQ(identity_of(one), identity_of(read_handshake(bytes_of(hello), nobody_known())));
+  EXPECT_EQ(identity_of(one), identity_of(read_handshake(bytes_of(hello), no_known_robots())));
 }
 
-TEST(Handshake, OfTheSameRobotMayGetAnotherLens) {
+TEST(Handshake, MayHaveAnotherLensOfTheSameRobot) {
   std::array<reorient_lens, 2> lenses{};
   lenses[0].model = REORIENT_LENS_FISHEYE;
-  EXPECT_EQ(identity_of(read_handshake(with_lenses(small_hello(), lenses), nobody_known())),
-            identity_of(read_handshake(bytes_of(small_hello()), nobody_known())));
+  EXPECT_EQ(identity_of(read_handshake(with_lenses(small_hello(), lenses), no_known_robots())),
+            identity_of(read_handshake(bytes_of(small_hello()), no_known_robots())));
 }
 
-TEST(Handshake, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
+TEST(Handshake, WithAnInvalidLensIsRefusedWithTheReason) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<reorient_lens, const char*> mistakes[] = {
       {{4, 0, {}}, "lens of camera 0: unknown model 4 (expected 0 to 3)"},
@@ -161,7 +161,7 @@ TEST(Handshake, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
   };
   for (const auto& [lens, why] : mistakes) {
     try {
-      static_cast<void>(read_handshake(with_lenses(small_hello(), {lens}), nobody_known()));
+      static_cast<void>(read_handshake(with_lenses(small_hello(), {lens}), no_known_robots()));
       ADD_FAILURE() << why;
     } catch (const BadMessage& bad) {
       EXPECT_NE(std::string(bad.what()).find(why), std::string::npos) << bad.what();
@@ -169,16 +169,16 @@ TEST(Handshake, WithAMistakeInALensIsRefusedWithWhatIsWrong) {
   }
 }
 
-TEST(Handshake, OfAnotherSizeIsRefused) {
+TEST(Handshake, WithAnotherSizeIsRefused) {
   const reorient_hello hello = small_hello();
   const auto bytes = bytes_of(hello);
-  EXPECT_THROW(read_handshake(bytes.first(bytes.size() - 1), nobody_known()), BadMessage);
+  EXPECT_THROW(read_handshake(bytes.first(bytes.size() - 1), no_known_robots()), BadMessage);
   std::vector<std::byte> longer(bytes.begin(), bytes.end());
   longer.push_back({});
-  EXPECT_THROW(read_handshake(longer, nobody_known()), BadMessage);
+  EXPECT_THROW(read_handshake(longer, no_known_robots()), BadMessage);
 }
 
-TEST(Handshake, ImagesOfAnUnknownFormatHaveNoSize) {
+TEST(Handshake, ImageOfAnUnknownFormatHasNoSize) {
   for (const std::uint32_t format : {0u, 6u, 4000000000u}) {
     reorient_camera camera{};
     camera.width = 64;

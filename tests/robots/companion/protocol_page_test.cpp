@@ -25,7 +25,7 @@ std::string text_of_file(const std::string& file) {
 }
 
 struct Kind {
-  std::string name;  // as the page calls it
+  std::string name;  // its name on the page
   std::size_t size = 0;
 };
 
@@ -59,7 +59,7 @@ std::string table_of(const std::string& header, const std::string& structure) {
   std::ostringstream table;
   table << "| byte | what | name | meaning |\n|---|---|---|---|\n";
   std::size_t offset = 0;
-  // A declaration, and the comment behind it.
+  // A declaration and the comment after it.
   const std::regex line(R"(((?:struct )?\w+)\s+([^;{}]+);\s*(?:/\*([\s\S]*?)\*/)?)");
   for (std::sregex_iterator one(body.begin(), body.end(), line), last; one != last; ++one) {
     const Kind kind = kind_of((*one)[1]);
@@ -95,13 +95,13 @@ TEST(ProtocolPage, MatchesTheHeaderByteForByte) {
     from = static_cast<std::size_t>(one->position() + one->length());
   }
   made += page.substr(from);
-  EXPECT_EQ(tables, 18) << "each structure has its table";
+  EXPECT_EQ(tables, 18) << "each structure has a table";
   if (std::getenv("REORIENT_REGENERATE") != nullptr) std::ofstream(kPage) << made;
   EXPECT_EQ(made, std::getenv("REORIENT_REGENERATE") != nullptr ? made : page)
       << "REORIENT_REGENERATE=1 generates the tables";
 }
 
-TEST(ProtocolPage, HasTheSizesThatTheHeaderIsCompiledWith) {
+TEST(ProtocolPage, HasTheSizesOfTheCompiledHeader) {
   const std::string page = text_of_file(kPage);
   const std::pair<const char*, std::size_t> sizes[] = {
       {"reorient_hello", sizeof(reorient_hello)},   {"reorient_frame", sizeof(reorient_frame)},
@@ -111,8 +111,8 @@ TEST(ProtocolPage, HasTheSizesThatTheHeaderIsCompiledWith) {
   for (const auto& [name, size] : sizes) {
     const std::size_t table = page.find("<!-- struct " + std::string(name) + " -->");
     ASSERT_NE(table, std::string::npos) << name;
-    const std::size_t told = page.find("Together ", table);
-    EXPECT_EQ(page.substr(told, page.find('\n', told) - told), "Together " + std::to_string(size) + " bytes.") << name;
+    const std::size_t sum = page.find("Together ", table);
+    EXPECT_EQ(page.substr(sum, page.find('\n', sum) - sum), "Together " + std::to_string(size) + " bytes.") << name;
   }
 }
 

@@ -63,7 +63,7 @@ reorient_frame standing_frame(std::uint64_t number, double time, std::uint64_t s
   return frame;
 }
 
-KnownRobots nobody_known() {
+KnownRobots no_known_robots() {
   return {[](const std::string&) { return std::optional<RobotBody>(); },
           [](const std::string&) { return std::optional<FieldDimensions>(); }};
 }
@@ -100,7 +100,7 @@ bool RawClient::send_bytes(std::span<const std::byte> bytes, int descriptor) {
 
 OwnedDescriptor memory_of(std::size_t bytes, bool sealed) {
   OwnedDescriptor memory(memfd_create("test", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  if (!memory || ftruncate(memory.get(), static_cast<off_t>(bytes)) != 0) throw std::runtime_error("no memory");
+  if (!memory || ftruncate(memory.get(), static_cast<off_t>(bytes)) != 0) throw std::runtime_error("memfd failed");
   if (sealed) fcntl(memory.get(), F_ADD_SEALS, F_SEAL_SHRINK);
   return memory;
 }
@@ -110,7 +110,7 @@ void RawClient::introduce(const reorient_hello& hello) {
   const std::size_t bytes = std::size_t{REORIENT_SLOTS} * slot_size_;
   memory_ = memory_of(bytes, true);
   void* const base = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory_.get(), 0);
-  if (base == MAP_FAILED) throw std::runtime_error("no memory");
+  if (base == MAP_FAILED) throw std::runtime_error("mmap failed");
   slots_ = {static_cast<std::byte*>(base), [bytes](std::byte* slots) { munmap(slots, bytes); }};
   send(REORIENT_HELLO, hello);
   send(REORIENT_MEMORY, reorient_memory{0, slot_size_}, memory_.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A client of the companion that can say anything, and two kinds of nonsense in one breath.
+// A client of the companion that can send any bytes, also invalid messages.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@
 
 namespace reorient {
 
-/// A NAO with one small camera whose numbers are sent.
+/// The hello of a NAO with one small camera, which contains the numbers of its body.
 reorient_hello small_hello(std::uint64_t client = 7, std::uint32_t way = REORIENT_OUR_LOCALIZATION);
-/// A frame of it that stands straight, with an image in the slot with this sequence number.
+/// A frame of this NAO while it stands upright, with an image in the slot with this sequence number.
 reorient_frame standing_frame(std::uint64_t number, double time, std::uint64_t sequence);
 
-/// For tests alone: knows no robot and no field by name.
-KnownRobots nobody_known();
+/// Knows no robot and no field by name.
+KnownRobots no_known_robots();
 
 class RawClient {
  public:
@@ -38,9 +38,9 @@ class RawClient {
     append_message(kind, message, bytes);
     return send_bytes(bytes, descriptor);
   }
-  /// Says hello and hands memory over.
+  /// Sends the hello and the shared memory.
   void introduce(const reorient_hello& hello);
-  /// Writes a picture of one gray into the next slot, and gives its number.
+  /// Writes an image of one gray to the next slot and returns its sequence number.
   std::uint64_t paint(std::uint8_t gray);
   bool send_frame(double time, std::uint64_t number);
 
@@ -50,14 +50,14 @@ class RawClient {
     template <typename Message>
     Message as() const {
       std::span<const std::byte> bytes = body;
-      return take_message<Message>(bytes, "what was heard");
+      return take_message<Message>(bytes, "received message");
     }
   };
-  /// All that has come.
+  /// All messages that have arrived.
   std::vector<Heard> hear();
-  /// The last answer among it.
+  /// The last answer among them.
   std::optional<reorient_answer> answer();
-  /// Why the companion ended the connection; empty: it has not said so.
+  /// The reason of a refusal; empty if none has arrived.
   std::string refusal();
 
   std::byte* slots() { return slots_.get(); }
@@ -73,7 +73,7 @@ class RawClient {
   std::vector<std::byte> in_;
 };
 
-/// A memfd of so many bytes.
+/// A memfd of this size.
 OwnedDescriptor memory_of(std::size_t bytes, bool sealed);
 
 }  // namespace reorient

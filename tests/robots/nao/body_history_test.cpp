@@ -42,7 +42,7 @@ TEST_F(BodyHistoryTest, IsInterpolatedBetweenTwoMeasurements) {
   EXPECT_NEAR(moment->body.time, 0.3456, 1e-12);
 }
 
-TEST_F(BodyHistoryTest, KnowsNothingOfWhatIsTooLongAgoOrStillToCome) {
+TEST_F(BodyHistoryTest, ReturnsNothingForTimesTooLongAgoOrInTheFuture) {
   EXPECT_FALSE(history_.at(0.0));
   feel(2.0);
   EXPECT_FALSE(history_.at(0.5));
@@ -50,7 +50,7 @@ TEST_F(BodyHistoryTest, KnowsNothingOfWhatIsTooLongAgoOrStillToCome) {
   EXPECT_FALSE(history_.at(time_ + 0.2));
 }
 
-TEST_F(BodyHistoryTest, KnowsNothingWithinAGap) {
+TEST_F(BodyHistoryTest, ReturnsNothingWithinAGap) {
   feel(0.2);
   time_ += 0.3;
   feel(0.2);
@@ -58,7 +58,7 @@ TEST_F(BodyHistoryTest, KnowsNothingWithinAGap) {
   EXPECT_TRUE(history_.at(0.6));
 }
 
-TEST_F(BodyHistoryTest, GoesWhereAWalkSaysAndTurnsAsTheInertialUnitSays) {
+TEST_F(BodyHistoryTest, TranslatesWithTheWalkAndRotatesWithTheInertialUnit) {
   walks_ = true;
   feel(1.0);
   EXPECT_NEAR(history_.newest()->odometry.position.x(), 0.2, 0.01);
@@ -84,7 +84,7 @@ TEST_F(BodyHistoryTest, DoesNotJumpIfAWalkRestartsOrReportsInvalidValues) {
   EXPECT_NEAR(history_.newest()->odometry.position.norm(), 0.2, 0.1);
 }
 
-TEST_F(BodyHistoryTest, FeelsGravityUpwardsAndTheWeightOnTheFeet) {
+TEST_F(BodyHistoryTest, MeasuresGravityUpwardsAndTheWeightOnTheFeet) {
   feel(0.1);
   const auto moment = history_.newest();
   ASSERT_TRUE(moment);
@@ -92,7 +92,7 @@ TEST_F(BodyHistoryTest, FeelsGravityUpwardsAndTheWeightOnTheFeet) {
   EXPECT_NEAR(moment->body.foot_load, 5.3, 1e-3);
 }
 
-TEST_F(BodyHistoryTest, CountsHowFarItWasTurnedWithoutTheGyroscopesBias) {
+TEST_F(BodyHistoryTest, IntegratesTheRotationWithoutTheGyroscopesBias) {
   feel(20.0, 0.0f, 0.02f);
   const double before = history_.newest()->odometry.rotation;
   feel(3.0, 0.5f, 0.02f);
@@ -102,10 +102,10 @@ TEST_F(BodyHistoryTest, CountsHowFarItWasTurnedWithoutTheGyroscopesBias) {
   EXPECT_NEAR(angle_difference(history_.newest()->odometry.rotation, before), 1.5, 0.05);
 }
 
-TEST_F(BodyHistoryTest, ATurnedRobotThatLeansStillTurnsAboutTheVertical) {
+TEST_F(BodyHistoryTest, RotationIsAboutTheVerticalAlsoIfTheRobotLeans) {
   body_.tilt(0.0f, 0.5f);
   Measurement measurement = body_.measurement();
-  // Turning to the left at 1 rad/s about the vertical, as a torso that leans forward feels it.
+  // Turning to the left at 1 rad/s about the vertical, as measured in a torso that leans forward.
   measurement.gyroscope = {-std::sin(0.5f), 0.0f, std::cos(0.5f)};
   for (int i = 1; i <= 100; ++i) {
     measurement.time = 0.01 * i;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that can go wrong between robot, guard and engine, in simulated time: no joint is ever told to go faster
-// than it can, each whole packet is answered, and in the end the robot is in a safe posture.
+// Random faults of robot, guard and engine, in simulated time: no joint receives a target that is too fast for it, each
+// whole packet is answered, and at the end the robot is in a safe posture.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -34,7 +34,7 @@ class Trouble {
       cause();
       go_on(0.1 + 2.0 * random_.uniform());
     }
-    // The engine dies, nothing else is wrong any more.
+    // The engine ends; all other faults are over.
     engine_lives_ = false;
     body_.tilt(0.0f, 0.0f);
     body_.block(kJoints);
@@ -51,8 +51,8 @@ class Trouble {
     ASSERT_EQ(body_.complaint(), "");
     ASSERT_TRUE(body_.is_soft()) << story();
     ASSERT_TRUE(body_.sits() || body_.lies()) << story();
-    ASSERT_EQ(unanswered_, 0) << "packets in good order; " << story();
-    ASSERT_EQ(body_.falls(), pushes_) << "fell by what it was told; " << story();
+    ASSERT_EQ(unanswered_, 0) << "valid packets without an answer; " << story();
+    ASSERT_EQ(body_.falls(), pushes_) << "fell because of a command; " << story();
   }
 
   const std::map<std::string, int>& done() const { return done_; }
@@ -97,14 +97,14 @@ class Trouble {
           reconnect();
         });
       case 9:
-        return note("no answer is taken", [&] { deaf_ = 1 + static_cast<int>(below(100)); });
+        return note("no answer is read", [&] { deaf_ = 1 + static_cast<int>(below(100)); });
       case 10:
-        return note("an answer is taken in pieces", [&] { sips_ = 100; });
+        return note("an answer is read in pieces", [&] { sips_ = 100; });
       case 11:
         return note("noise", [&] {
           std::vector<std::byte> noise(1 + below(3000));
           for (std::byte& byte : noise) byte = static_cast<std::byte>(below(256));
-          // Whatever became of it, the stream is out of step until one side disconnects; the robot does.
+          // The stream is out of sync in any case until one side disconnects, which the robot does here.
           static_cast<void>(feed(noise));
           disconnect();
           reconnect();
@@ -112,11 +112,11 @@ class Trouble {
       case 12:
         return note("the engine is stopped", [&] { engine_lives_ = false; });
       case 13:
-        return note("the engine goes on", [&] { engine_lives_ = true; });
+        return note("the engine continues", [&] { engine_lives_ = true; });
       case 14:
-        return note("the engine is mad", [&] { mad_ = 100; });
+        return note("the engine sends invalid values", [&] { faulty_ = 100; });
       case 15:
-        return note("another posture is asked for", [&] { request_.posture = static_cast<WantedPosture>(below(3)); });
+        return note("another posture is requested", [&] { request_.posture = static_cast<WantedPosture>(below(3)); });
       case 16:
         return note("it is pushed over", [&] {
           if (body_.lies() || !body_.stands()) return;
@@ -126,7 +126,7 @@ class Trouble {
           body_.pick_up_and_put_down();
         });
       case 17:
-        return note("it is carried", [&] {
+        return note("an operator tilts it", [&] {
           body_.tilt(static_cast<float>(0.6 * random_.uniform() - 0.3),
                      static_cast<float>(0.8 * random_.uniform() - 0.4));
           go_on(3.0 * random_.uniform());
@@ -234,10 +234,10 @@ class Trouble {
     std::vector<std::byte> bytes(2048);
     bytes.resize(write_sensor_packet(measurement, identity, bytes));
     const bool odd = left_ > 0 && --left_ > 0;
-    unusable_ = odd;  // perhaps without the positions that an answer begins with
+    unusable_ = odd;  // perhaps without positions, which the first answer needs
     if (!odd) missing_ = nan_in_ = -1;
     if (!odd && !unknown_ && !float_status_) return bytes;
-    // Key by key, as it came, but for what is wrong with it.
+    // Copy the packet key by key and insert the faults.
     std::vector<std::byte> changed(4096);
     PackedWriter writer(changed);
     PackedReader reader(bytes);
@@ -289,11 +289,11 @@ class Trouble {
     request.head_yaw = static_cast<float>(1.8 * std::sin(time_));
     request.head_pitch = static_cast<float>(0.5 * std::sin(1.7 * time_));
     request.head_speed = static_cast<float>(2.0 + 5.0 * random_.uniform());
-    if (mad_ > 0) {
-      --mad_;
+    if (faulty_ > 0) {
+      --faulty_;
       request.head_yaw = odd_number();
       request.head_speed = odd_number();
-      WalkTargets walk;  // a mad one, too
+      WalkTargets walk;  // with invalid values, too
       walk.time = random_.uniform() < 0.1 ? odd_number() : time_;
       walk.moves_joints = 1;
       for (std::size_t joint = 0; joint < kJoints; ++joint) {
@@ -317,7 +317,7 @@ class Trouble {
   int cycle_ = 0;
   bool engine_lives_ = true, is_connected_ = true, foreign_ = false, unknown_ = false, float_status_ = false;
   bool unusable_ = false;
-  int split_ = 0, joined_ = 0, deaf_ = 0, sips_ = 0, mad_ = 0, left_ = 0, missing_ = -1, nan_in_ = -1;
+  int split_ = 0, joined_ = 0, deaf_ = 0, sips_ = 0, faulty_ = 0, left_ = 0, missing_ = -1, nan_in_ = -1;
   std::vector<std::byte> waiting_, received_;
   int answers_ = 0, unanswered_ = 0, pushes_ = 0;
   std::map<std::string, int> done_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the guard does with the body, in simulated time.
+// The guard and the body of a NAO, in simulated time.
 #include "robots/nao/guard/guard.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class GuardTest : public testing::Test {
   GuardTest() { guard_.connected(); }
   ~GuardTest() override { EXPECT_EQ(body_.complaint(), ""); }
 
-  /// For so many seconds; the engine asks every third cycle, as long as it lives.
+  /// Runs for some seconds; while the engine lives, it writes a request every third cycle.
   void run(double seconds) {
     for (double end = time_ + seconds; time_ < end; time_ += kCycle) {
       if (engine_lives_ && ++cycle_ % 3 == 0) {
@@ -65,7 +65,7 @@ class GuardTest : public testing::Test {
   Command last_;
 };
 
-TEST_F(GuardTest, BeginsWithJointsWhereTheyAreAndSoft) {
+TEST_F(GuardTest, StartsWithSoftJointsAtTheMeasuredPositions) {
   const JointValues before = body_.measurement().position;
   run(1.0);
   EXPECT_EQ(last_.position, before);
@@ -83,7 +83,7 @@ TEST_F(GuardTest, StandsUpAndSitsDownAgain) {
   EXPECT_EQ(body_.falls(), 0);
 }
 
-TEST_F(GuardTest, SitsDownBeforeItLetsGo) {
+TEST_F(GuardTest, SitsDownBeforeItBecomesSoft) {
   stand();
   request_.posture = WantedPosture::soft;
   run(1.0);
@@ -93,7 +93,7 @@ TEST_F(GuardTest, SitsDownBeforeItLetsGo) {
   EXPECT_EQ(body_.falls(), 0);
 }
 
-TEST_F(GuardTest, SitsDownOneSecondAfterTheEngineDied) {
+TEST_F(GuardTest, SitsDownOneSecondAfterTheLastRequest) {
   stand();
   engine_lives_ = false;
   run(0.95);
@@ -106,7 +106,7 @@ TEST_F(GuardTest, SitsDownOneSecondAfterTheEngineDied) {
   EXPECT_TRUE(body_.sits());
 }
 
-TEST_F(GuardTest, StandsUpAgainForAnEngineThatIsBack) {
+TEST_F(GuardTest, StandsUpAgainWhenRequestsReturn) {
   stand();
   engine_lives_ = false;
   run(6.0);
@@ -115,7 +115,7 @@ TEST_F(GuardTest, StandsUpAgainForAnEngineThatIsBack) {
   EXPECT_EQ(guard_.state(), GuardState::standing);
 }
 
-TEST_F(GuardTest, TheHeadStopsHalfASecondAfterTheEngineDied) {
+TEST_F(GuardTest, StopsTheHeadHalfASecondAfterTheLastRequest) {
   stand();
   request_.moves_head = 1;
   request_.head_yaw = 2.0f;
@@ -132,7 +132,7 @@ TEST_F(GuardTest, TheHeadStopsHalfASecondAfterTheEngineDied) {
   EXPECT_LT(stopped, 1.0f);
 }
 
-TEST_F(GuardTest, TurnsTheHeadNoFasterThanAskedAndNeverIntoTheShoulders) {
+TEST_F(GuardTest, TurnsTheHeadAtMostAtTheRequestedSpeedAndNeverIntoTheShoulders) {
   stand();
   request_.moves_head = 1;
   request_.head_yaw = 1.5f;
@@ -146,7 +146,7 @@ TEST_F(GuardTest, TurnsTheHeadNoFasterThanAskedAndNeverIntoTheShoulders) {
   EXPECT_NEAR(last_.position[kHeadPitch], head_pitch_range(1.5f).most, 1e-3f);
 }
 
-TEST_F(GuardTest, TurnsTheHeadOfARobotThatSits) {
+TEST_F(GuardTest, TurnsTheHeadOfASittingRobot) {
   stand();
   request_.posture = WantedPosture::sit;
   request_.moves_head = 1;
@@ -157,7 +157,7 @@ TEST_F(GuardTest, TurnsTheHeadOfARobotThatSits) {
   EXPECT_NEAR(body_.measurement().position[kHeadYaw], -1.0f, 1e-3f);
 }
 
-TEST_F(GuardTest, NeitherStandsUpNorSitsDownInClearlyTiltedHands) {
+TEST_F(GuardTest, NeitherStandsUpNorSitsDownWhileHeldAtATilt) {
   body_.tilt(0.3f, 0.0f);
   request_.posture = WantedPosture::stand;
   run(2.0);
@@ -168,13 +168,13 @@ TEST_F(GuardTest, NeitherStandsUpNorSitsDownInClearlyTiltedHands) {
   body_.tilt(0.0f, 0.4f);
   engine_lives_ = false;
   run(3.0);
-  EXPECT_EQ(guard_.state(), GuardState::standing) << "an operator holds it";
+  EXPECT_EQ(guard_.state(), GuardState::standing) << "an operator holds it at a tilt";
   body_.tilt(0.0f, 0.0f);
   run(3.0);
   EXPECT_EQ(guard_.state(), GuardState::sitting);
 }
 
-TEST_F(GuardTest, GoesSoftAtOnceWhenItFallsAndStaysSo) {
+TEST_F(GuardTest, BecomesSoftAtOnceInAFallAndStaysSoft) {
   stand();
   body_.push();
   run(0.4);
@@ -183,14 +183,14 @@ TEST_F(GuardTest, GoesSoftAtOnceWhenItFallsAndStaysSo) {
   run(2.0);
   body_.pick_up_and_put_down();
   run(2.0);
-  EXPECT_EQ(guard_.state(), GuardState::fallen) << "to stand was asked for before it fell";
+  EXPECT_EQ(guard_.state(), GuardState::fallen) << "standing was requested before it fell";
   request_.posture = WantedPosture::sit;
   run(0.1);
   EXPECT_EQ(guard_.state(), GuardState::soft);
   stand();
 }
 
-TEST_F(GuardTest, SitsDownWhereAMotorIsTooHot) {
+TEST_F(GuardTest, SitsDownIfAMotorIsTooHot) {
   body_.set_status(1.0f);
   stand();
   EXPECT_NE(guard_.worries() & kHot, 0u);
@@ -200,13 +200,13 @@ TEST_F(GuardTest, SitsDownWhereAMotorIsTooHot) {
   EXPECT_EQ(guard_.state(), GuardState::sitting);
   body_.set_status(1.0f);
   run(4.0);
-  EXPECT_EQ(guard_.state(), GuardState::sitting) << "hardly cooler";
+  EXPECT_EQ(guard_.state(), GuardState::sitting) << "it is only a little cooler";
   body_.set_status(0.0f);
   run(4.0);
   EXPECT_EQ(guard_.state(), GuardState::standing);
 }
 
-TEST_F(GuardTest, SitsDownWithAnEmptyBatteryButNotWithoutKnowing) {
+TEST_F(GuardTest, SitsDownWithAnEmptyBatteryButNotWithAnUnknownCharge) {
   body_.set_charge(0.0f);
   stand();
   body_.set_charge(0.08f);
@@ -218,7 +218,7 @@ TEST_F(GuardTest, SitsDownWithAnEmptyBatteryButNotWithoutKnowing) {
   EXPECT_EQ(guard_.state(), GuardState::sitting);
 }
 
-TEST_F(GuardTest, SitsDownWhereALegDoesNotFollow) {
+TEST_F(GuardTest, SitsDownIfALegDoesNotReachItsTarget) {
   body_.block(kLeftKneePitch);
   request_.posture = WantedPosture::stand;
   run(4.0);
@@ -229,7 +229,7 @@ TEST_F(GuardTest, SitsDownWhereALegDoesNotFollow) {
   EXPECT_EQ(guard_.state(), GuardState::sitting_down);
 }
 
-TEST_F(GuardTest, AHeadThatIsHeldGivesWay) {
+TEST_F(GuardTest, DoesNotSitDownIfTheHeadIsHeld) {
   stand();
   body_.block(kHeadYaw);
   request_.moves_head = 1;
@@ -240,12 +240,12 @@ TEST_F(GuardTest, AHeadThatIsHeldGivesWay) {
   EXPECT_LT(last_.position[kHeadYaw], 0.4f);
 }
 
-TEST_F(GuardTest, HoldsStillWhereItCannotSeeItsPosture) {
+TEST_F(GuardTest, HoldsItsPostureWithoutPositionsAndAngles) {
   stand();
   missing_ = 1u << static_cast<unsigned>(SensorKey::angles);
   request_.posture = WantedPosture::sit;
   run(2.0);
-  EXPECT_EQ(guard_.state(), GuardState::sitting_down) << "it began before that was clear";
+  EXPECT_EQ(guard_.state(), GuardState::sitting_down) << "it started before the values were missing long enough";
   missing_ = 0;
   run(3.0);
   stand();
@@ -271,7 +271,7 @@ TEST_F(GuardTest, DoesNotMoveABodyOfAnotherVersion) {
   EXPECT_EQ(guard_.state(), GuardState::soft);
 }
 
-TEST_F(GuardTest, TakesOverABodyThatStands) {
+TEST_F(GuardTest, TakesOverAStandingBody) {
   stand();
   guard_.connected();
   run(0.012);
@@ -281,7 +281,7 @@ TEST_F(GuardTest, TakesOverABodyThatStands) {
   EXPECT_EQ(body_.falls(), 0);
 }
 
-TEST_F(GuardTest, NonsenseThatIsAskedForDoesNotReachAJoint) {
+TEST_F(GuardTest, DoesNotPassInvalidRequestsToTheJoints) {
   stand();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   request_.moves_head = 0x7fff;
@@ -300,7 +300,7 @@ TEST_F(GuardTest, NonsenseThatIsAskedForDoesNotReachAJoint) {
   EXPECT_EQ(guard_.state(), GuardState::sitting);
 }
 
-TEST_F(GuardTest, AWalkMovesTheJointsWithinTheirSpeedAndIsHeldWhereItIsSilent) {
+TEST_F(GuardTest, FollowsAWalkWithinTheJointsSpeedAndHoldsIfItIsSilent) {
   stand();
   walk();
   run(1.0);
@@ -309,33 +309,33 @@ TEST_F(GuardTest, AWalkMovesTheJointsWithinTheirSpeedAndIsHeldWhereItIsSilent) {
   run(0.3);
   walk_.joints[kLeftKneePitch] = 0.8f;
   run(0.6);
-  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f) << "it may not go on without the engine";
+  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f) << "it must not continue without the engine";
   engine_lives_ = true;
   walk_.moves_joints = 0;
   run(1.5);
   EXPECT_NEAR(last_.position[kLeftKneePitch], standing_posture()[kLeftKneePitch], 1e-3f);
 }
 
-TEST_F(GuardTest, StandsAgainWhereAWalkHasDied) {
+TEST_F(GuardTest, ReturnsToStandingAfterAWalkEnded) {
   stand();
   walk();
   run(1.0);
   walk_lives_ = false;
   run(0.4);
-  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f) << "it is held";
+  EXPECT_NEAR(last_.position[kLeftKneePitch], 0.9f, 1e-3f) << "it holds its posture";
   run(2.0);
   EXPECT_NEAR(last_.position[kLeftKneePitch], standing_posture()[kLeftKneePitch], 1e-3f);
   EXPECT_EQ(guard_.state(), GuardState::standing);
 }
 
-TEST_F(GuardTest, AWalkMovesNothingOfARobotThatSits) {
+TEST_F(GuardTest, IgnoresAWalkWhileItSits) {
   walk();
   run(2.0);
   EXPECT_TRUE(body_.is_soft());
   EXPECT_EQ(guard_.state(), GuardState::soft);
 }
 
-TEST_F(GuardTest, SitsDownAndLetsGoBeforeItEnds) {
+TEST_F(GuardTest, SitsDownAndBecomesSoftBeforeItEnds) {
   stand();
   guard_.finish();
   EXPECT_FALSE(guard_.is_at_rest());
@@ -350,7 +350,8 @@ TEST_F(GuardTest, BecomesSoftIfItIsTiltedWhenTheGuardIsStopped) {
   body_.tilt(0.4f, 0.0f);
   guard_.finish();
   run(4.5);
-  EXPECT_EQ(guard_.state(), GuardState::standing) << "it may still be put upright, and would fall";
+  EXPECT_EQ(guard_.state(), GuardState::standing)
+      << "it would fall if it became soft before the operator puts it upright";
   EXPECT_FALSE(body_.is_soft());
   run(2.0);
   EXPECT_TRUE(guard_.is_at_rest());
@@ -370,7 +371,7 @@ TEST_F(GuardTest, MakesTheHeadSoftWithoutRequests) {
   request_.head_yaw = 0.5f;
   request_.head_speed = 2.0f;
   run(2.0);
-  EXPECT_NEAR(body_.measurement().position[kHeadYaw], 0.5f, 0.01f) << "it is back";
+  EXPECT_NEAR(body_.measurement().position[kHeadYaw], 0.5f, 0.01f) << "requests have returned";
 }
 
 TEST_F(GuardTest, ShowsThatRequestsAreMissing) {

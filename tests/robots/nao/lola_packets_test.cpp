@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LoLA's packets: the sizes are those of a robot.
+// LoLA's packets, with the sizes of those of a real robot.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -27,7 +27,7 @@ std::vector<std::byte> packet_of(const Measurement& measurement) {
   return bytes;
 }
 
-/// A map of one key with so many numbers.
+/// A map of one key with these numbers.
 std::vector<std::byte> packet_with(std::string_view key, const std::vector<float>& numbers) {
   std::vector<std::byte> bytes(4096);
   PackedWriter writer(bytes);
@@ -39,9 +39,9 @@ std::vector<std::byte> packet_with(std::string_view key, const std::vector<float
   return bytes;
 }
 
-TEST(SensorPacket, OfARobotHas896Bytes) { EXPECT_EQ(packet_of(TwinBody().measurement()).size(), 896u); }
+TEST(SensorPacket, Has896BytesLikeThatOfARobot) { EXPECT_EQ(packet_of(TwinBody().measurement()).size(), 896u); }
 
-TEST(SensorPacket, IsReadAsItWasWritten) {
+TEST(SensorPacket, IsUnchangedByWritingAndReading) {
   Measurement written = TwinBody().measurement();
   written.position[kHeadYaw] = 0.25f;
   written.status[kLeftKneePitch] = 2.0f;
@@ -59,7 +59,7 @@ TEST(SensorPacket, IsReadAsItWasWritten) {
   EXPECT_STREQ(reader.robot()->head_id.data(), "P0000074A04S83I00012");
 }
 
-TEST(SensorPacket, MayHaveItsKeysInAnyOrderAndOthersBesides) {
+TEST(SensorPacket, MayHaveItsKeysInAnyOrderAndUnknownKeys) {
   std::vector<std::byte> bytes(4096);
   PackedWriter writer(bytes);
   writer.map(3);
@@ -87,7 +87,7 @@ TEST(SensorPacket, MayHaveItsKeysInAnyOrderAndOthersBesides) {
   }
 }
 
-TEST(SensorPacket, OfAnotherOrderThanTheOneBeforeIsReadAsWell) {
+TEST(SensorPacket, MayChangeTheOrderOfItsKeys) {
   SensorReader reader;
   Measurement measurement;
   ASSERT_TRUE(reader.read(packet_with("Angles", {0.1f, 0.2f}), measurement));
@@ -97,7 +97,7 @@ TEST(SensorPacket, OfAnotherOrderThanTheOneBeforeIsReadAsWell) {
   EXPECT_FALSE(measurement.has(SensorKey::angles));
 }
 
-TEST(SensorPacket, WhatIsNoNumberLeavesWhatWasThere) {
+TEST(SensorPacket, InvalidNumbersLeaveTheMeasurementUnchanged) {
   SensorReader reader;
   Measurement measurement;
   measurement.angles = {0.5f, 0.6f};
@@ -110,14 +110,14 @@ TEST(SensorPacket, WhatIsNoNumberLeavesWhatWasThere) {
   EXPECT_EQ(measurement.angles, (std::array{0.5f, 0.6f}));
 }
 
-TEST(CommandPacket, OfAllElevenKeysHas786Bytes) {
+TEST(CommandPacket, WithAllElevenKeysHas786Bytes) {
   const std::array<std::byte, kCommandBytes> bytes = command_packet(Command());
   const PackedExtent extent = first_packed_value(bytes);
   EXPECT_EQ(extent.state, PackedExtent::State::whole);
   EXPECT_EQ(extent.size, 786u);
 }
 
-TEST(CommandPacket, IsReadAsItWasWritten) {
+TEST(CommandPacket, IsUnchangedByWritingAndReading) {
   Command written;
   written.position[kHeadPitch] = 0.3f;
   written.stiffness.fill(0.5f);
@@ -151,7 +151,7 @@ class LolaStream : public testing::Test {
   const std::vector<std::byte> one_ = packet_of(TwinBody().measurement());
 };
 
-TEST_F(LolaStream, PutsAPacketTogetherThatCameInPieces) {
+TEST_F(LolaStream, JoinsThePiecesOfAPacket) {
   for (std::size_t i = 0; i + 1 < one_.size(); ++i) {
     send(std::span(one_).subspan(i, 1));
     ASSERT_EQ(packets(), 0);
@@ -160,7 +160,7 @@ TEST_F(LolaStream, PutsAPacketTogetherThatCameInPieces) {
   EXPECT_EQ(packets(), 1);
 }
 
-TEST_F(LolaStream, TakesSeveralPacketsApart) {
+TEST_F(LolaStream, SeparatesSeveralPackets) {
   std::vector<std::byte> three;
   for (int i = 0; i < 3; ++i) three.insert(three.end(), one_.begin(), one_.end());
   send(std::span(three).first(three.size() - 10));
@@ -169,7 +169,7 @@ TEST_F(LolaStream, TakesSeveralPacketsApart) {
   EXPECT_EQ(packets(), 1);
 }
 
-TEST_F(LolaStream, GivesUpWhereAPacketHasNoEnd) {
+TEST_F(LolaStream, RejectsAPacketWithoutAnEnd) {
   std::span<const std::byte> packet;
   send(std::array{std::byte{0xdb}, std::byte{0x7f}, std::byte{0xff}, std::byte{0xff}, std::byte{0xff}});
   EXPECT_EQ(stream_.next(packet), PacketStream::State::waiting);
@@ -177,7 +177,7 @@ TEST_F(LolaStream, GivesUpWhereAPacketHasNoEnd) {
   EXPECT_EQ(stream_.next(packet), PacketStream::State::nonsense);
 }
 
-TEST(HeadPitchRange, IsThatOfTheBodyThatTheEngineKnows) {
+TEST(HeadPitchRange, MatchesTheBodyFile) {
   const NeckReach neck;
   for (double yaw = -2.08; yaw < 2.08; yaw += 0.05) {
     const PitchRange range = head_pitch_range(static_cast<float>(yaw));
@@ -186,7 +186,7 @@ TEST(HeadPitchRange, IsThatOfTheBodyThatTheEngineKnows) {
   }
 }
 
-TEST(HeadPitchRange, IsTheTablesBetweenItsRows) {
+TEST(HeadPitchRange, IsInterpolatedBetweenTheRowsOfTheTable) {
   EXPECT_FLOAT_EQ(head_pitch_range(0.0f).most, 0.515f);
   EXPECT_FLOAT_EQ(head_pitch_range(-0.486f).most, 0.422f);
   EXPECT_NEAR(head_pitch_range(0.243f).most, 0.4685f, 1e-4f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A NAO of which everything is a twin, in simulated time.
+// A fully simulated NAO, in simulated time.
 #include "robots/nao/nao.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ SimulatorParameters small() {
   return parameters;
 }
 
-/// A referee whose datagrams the test writes.
+/// A port that delivers the datagrams of a test.
 class WrittenReferee : public RefereePort {
  public:
   std::span<const std::byte> receive() override {
@@ -71,7 +71,7 @@ class NaoTest : public testing::Test {
     around.referee = &referee_;
     nao_.emplace(options_, around);
   }
-  /// Frames for so long. False: there are none any more.
+  /// Processes frames for some seconds. Returns false if no more frames follow.
   bool run(double seconds) {
     for (const double end = world_.now() + seconds; world_.now() < end;) {
       deadline_ = end + 1.0;
@@ -94,7 +94,7 @@ class NaoTest : public testing::Test {
   int frames_ = 0;
 };
 
-TEST_F(NaoTest, StandsUpAndSeesWhatItsSimulatorShows) {
+TEST_F(NaoTest, StandsUpAndDeliversTheImagesOfItsSimulator) {
   begin();
   ASSERT_TRUE(run(8.0));
   EXPECT_EQ(nao_->guard().state, GuardState::standing);
@@ -103,27 +103,27 @@ TEST_F(NaoTest, StandsUpAndSeesWhatItsSimulatorShows) {
   EXPECT_NEAR(frames_, 83, 3);
   ASSERT_TRUE(observation_.upper);
   EXPECT_EQ(observation_.upper->image.width, 160);
-  EXPECT_EQ(observation_.reported_posture, ReportedPosture::unknown) << "the engine feels it by itself";
+  EXPECT_EQ(observation_.reported_posture, ReportedPosture::unknown) << "the engine finds it by itself";
   EXPECT_NEAR(observation_.body.acceleration.z(), 9.81, 0.5);
   EXPECT_NEAR(observation_.body.foot_load, 5.3, 1.0);
   EXPECT_EQ(nao_->missing(), Missing::nothing);
 }
 
-TEST_F(NaoTest, SaysThatItIsNoTimeToLookWhileItDoesNotStand) {
+TEST_F(NaoTest, ReportsGettingUpWhileItDoesNotStand) {
   options_.stands_at_once = false;
   begin();
   ASSERT_TRUE(run(6.0));
   EXPECT_EQ(observation_.reported_posture, ReportedPosture::getting_up);
 }
 
-TEST_F(NaoTest, KnowsHowTheHeadWasTurnedWhenAnImageWasExposed) {
+TEST_F(NaoTest, UsesTheHeadAnglesAtTheExposureOfAnImage) {
   begin();
   ASSERT_TRUE(run(8.0));
   double worst = 0.0;
   for (int i = 0; i < 200; ++i) {
     head_ = HeadRequest{{1.2 * std::sin(0.05 * i), 0.1}, 3.0};
     ASSERT_TRUE(run(0.03));
-    // The simulator's own truth of the same image, but for its sensors' noise.
+    // The simulator's ground truth of the same image, except for the noise of its sensors.
     const Isometry3 truth = world_.simulator().field_from_camera();
     const Isometry3 robot =
         Isometry3(Eigen::Translation3d(world_.simulator().ground_truth().pose.position.x(),
@@ -136,7 +136,7 @@ TEST_F(NaoTest, KnowsHowTheHeadWasTurnedWhenAnImageWasExposed) {
   EXPECT_LT(worst, 0.02);
 }
 
-TEST_F(NaoTest, TurnsTheHeadWhereItIsAsked) {
+TEST_F(NaoTest, TurnsTheHeadAsRequested) {
   begin();
   ASSERT_TRUE(run(8.0));
   head_ = HeadRequest{{-0.8, 0.2}, 2.0};
@@ -145,7 +145,7 @@ TEST_F(NaoTest, TurnsTheHeadWhereItIsAsked) {
   EXPECT_NEAR(observation_.body.head.pitch, 0.2, 0.03);
 }
 
-TEST_F(NaoTest, TheChestsButtonStandsPausesAndEnds) {
+TEST_F(NaoTest, StandsUpPausesAndEndsByTheChestButton) {
   options_.stands_at_once = false;
   begin();
   ASSERT_TRUE(run(5.0));
@@ -163,17 +163,17 @@ TEST_F(NaoTest, TheChestsButtonStandsPausesAndEnds) {
   EXPECT_TRUE(nao_->is_paused());
   head_ = HeadRequest{{1.0, 0.0}, 2.0};
   ASSERT_TRUE(run(1.0));
-  EXPECT_LT(observation_.body.head.yaw, 0.1) << "nothing moves while it is paused";
+  EXPECT_LT(observation_.body.head.yaw, 0.1) << "it does not move while it is paused";
   ASSERT_TRUE(press(0.3));
   ASSERT_TRUE(run(1.0));
   EXPECT_GT(observation_.body.head.yaw, 0.9);
-  EXPECT_FALSE(press(4.0)) << "for 3 s: it is over";
+  EXPECT_FALSE(press(4.0)) << "a press of 3 s ends the run";
   nao_.reset();
   for (int i = 0; i < 400; ++i) world_.step();
   EXPECT_EQ(world_.report().state, GuardState::sitting);
 }
 
-TEST_F(NaoTest, SitsDownWhenTheEngineIsGone) {
+TEST_F(NaoTest, SitsDownWhenTheEngineEnds) {
   begin();
   ASSERT_TRUE(run(8.0));
   nao_.reset();
@@ -182,7 +182,7 @@ TEST_F(NaoTest, SitsDownWhenTheEngineIsGone) {
   EXPECT_TRUE(world_.body().sits());
 }
 
-TEST_F(NaoTest, HasNoFramesWithoutAGuardAndSaysSo) {
+TEST_F(NaoTest, HasNoFramesWithoutAGuardAndReportsIt) {
   world_.hide_guard(true);
   begin();
   EXPECT_FALSE(run(3.0));
@@ -192,7 +192,7 @@ TEST_F(NaoTest, HasNoFramesWithoutAGuardAndSaysSo) {
   EXPECT_TRUE(run(3.0));
 }
 
-TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
+TEST_F(NaoTest, ReceivesTheRefereeAndAnswersOnceASecond) {
   begin();
   ASSERT_TRUE(run(5.0));
   referee_.say(3, 0);
@@ -203,7 +203,7 @@ TEST_F(NaoTest, HearsTheRefereeAndAnswersOnceASecond) {
   EXPECT_EQ(referee_.accepted, 1);
   referee_.waiting.push_back({std::byte{'R'}, std::byte{'G'}, std::byte{'m'}, std::byte{'e'}});
   ASSERT_TRUE(nao_->observe(observation_));
-  EXPECT_EQ(referee_.accepted, 1) << "that one is about another game, or nothing";
+  EXPECT_EQ(referee_.accepted, 1) << "the other datagrams are about another game or invalid";
   for (int i = 0; i < 8; ++i) {
     referee_.say(3, 4);
     ASSERT_TRUE(run(0.5));
@@ -220,7 +220,7 @@ TEST_F(NaoTest, StaysDownWithAnEmptyBatteryUntilTheButtonIsPressed) {
   EXPECT_EQ(nao_->guard().state, GuardState::sitting);
   world_.body().set_charge(0.9f);
   ASSERT_TRUE(run(5.0));
-  EXPECT_EQ(nao_->guard().state, GuardState::sitting) << "it is at its charger, and its cable is short";
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting) << "it is charging, and the cable is short";
   world_.body().press_chest(true);
   ASSERT_TRUE(run(0.3));
   world_.body().press_chest(false);
@@ -228,32 +228,32 @@ TEST_F(NaoTest, StaysDownWithAnEmptyBatteryUntilTheButtonIsPressed) {
   EXPECT_EQ(nao_->guard().state, GuardState::standing);
 }
 
-TEST_F(NaoTest, StaysDownWhereALegDidNotFollow) {
+TEST_F(NaoTest, StaysDownAfterALegDidNotReachItsTarget) {
   begin();
   world_.body().block(kLeftKneePitch);
   ASSERT_TRUE(run(9.0));
   world_.body().block(kJoints);
   ASSERT_TRUE(run(6.0));
-  EXPECT_EQ(nao_->guard().state, GuardState::sitting) << "and does not try again for ever";
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting) << "it does not try again and again";
 }
 
-TEST_F(NaoTest, SaysOfEachOutageWhatIsMissing) {
-  std::vector<Missing> told;
+TEST_F(NaoTest, ReportsWhatIsMissingInEachOutage) {
+  std::vector<Missing> reported;
   NaoSurroundings around = world_.surroundings([this] { return world_.now() > deadline_; });
-  around.tell_missing = [&](Missing missing) { told.push_back(missing); };
+  around.tell_missing = [&](Missing missing) { reported.push_back(missing); };
   nao_.emplace(options_, around);
   ASSERT_TRUE(run(8.0));
-  told.clear();
+  reported.clear();
   for (int i = 0; i < 2; ++i) {
     world_.hide_guard(true);
     EXPECT_FALSE(run(3.0));
     world_.hide_guard(false);
     ASSERT_TRUE(run(3.0));
   }
-  EXPECT_EQ(told, (std::vector<Missing>{Missing::guard, Missing::guard}));
+  EXPECT_EQ(reported, (std::vector<Missing>{Missing::guard, Missing::guard}));
 }
 
-TEST_F(NaoTest, GoesOnWhereTheCameraWasUnplugged) {
+TEST_F(NaoTest, ContinuesAfterTheCameraWasUnplugged) {
   begin();
   ASSERT_TRUE(run(8.0));
   world_.camera().is_plugged = false;

@@ -20,7 +20,7 @@ std::vector<std::byte> bytes(std::initializer_list<int> values) {
 
 using State = PackedExtent::State;
 
-TEST(Packed, ReadsNumbersOfEveryKind) {
+TEST(Packed, ReadsNumbersOfEachType) {
   const std::vector<std::pair<std::vector<std::byte>, float>> kinds{
       {bytes({0x07}), 7.0f},
       {bytes({0xff}), -1.0f},
@@ -41,7 +41,7 @@ TEST(Packed, ReadsNumbersOfEveryKind) {
   }
 }
 
-TEST(Packed, ADoubleBeyondAFloatIsInfinite) {
+TEST(Packed, ReadsADoubleBeyondTheRangeOfAFloatAsInfinite) {
   const auto packed = bytes({0xcb, 0x7f, 0xe0, 0, 0, 0, 0, 0, 0});
   PackedReader reader(packed);
   const std::optional<float> number = reader.number();
@@ -49,14 +49,14 @@ TEST(Packed, ADoubleBeyondAFloatIsInfinite) {
   EXPECT_TRUE(std::isinf(*number));
 }
 
-TEST(Packed, KnowsWhereAValueEnds) {
+TEST(Packed, FindsTheEndOfAValue) {
   const auto packed = bytes({0x82, 0xa1, 'a', 0x91, 0xc0, 0xa1, 'b', 0xc4, 0x02, 0, 0, /* the next one */ 0x05});
   EXPECT_EQ(first_packed_value(packed).size, packed.size() - 1);
   for (std::size_t size = 0; size < packed.size() - 1; ++size)
     EXPECT_EQ(first_packed_value(std::span(packed).first(size)).state, State::cut_short);
 }
 
-TEST(Packed, RefusesWhatNestsWithoutEnd) {
+TEST(Packed, RejectsTooDeepNesting) {
   EXPECT_EQ(first_packed_value(bytes({0xdf, 0xff, 0xff, 0xff, 0xff})).state, State::nonsense);
   EXPECT_EQ(first_packed_value(bytes({0xc1})).state, State::nonsense);
   EXPECT_EQ(first_packed_value(bytes({0xd4, 0, 0})).state, State::nonsense);
@@ -64,7 +64,7 @@ TEST(Packed, RefusesWhatNestsWithoutEnd) {
   EXPECT_EQ(first_packed_value(deep).state, State::cut_short);
 }
 
-TEST(Packed, AReaderThatMetSomethingElseReadsNothingMore) {
+TEST(Packed, ReaderReturnsNothingMoreAfterAnError) {
   const auto packed = bytes({0xa1, 'a', 0x05});
   PackedReader reader(packed);
   EXPECT_FALSE(reader.number());
@@ -72,14 +72,14 @@ TEST(Packed, AReaderThatMetSomethingElseReadsNothingMore) {
   EXPECT_FALSE(reader.skip());
 }
 
-TEST(Packed, AWriterSaysHowMuchItWouldHaveTaken) {
+TEST(Packed, WriterReturnsTheNecessarySizeIfTheBufferIsTooSmall) {
   std::array<std::byte, 4> buffer{};
   PackedWriter writer(buffer);
   writer.text("Position");
   EXPECT_EQ(writer.size(), 9u);
 }
 
-RC_GTEST_PROP(Packed, AnyBytesAreReadWithoutLookingBeyondThem, (const std::vector<std::uint8_t>& noise)) {
+RC_GTEST_PROP(Packed, ReadsArbitraryBytesWithoutAccessBeyondThem, (const std::vector<std::uint8_t>& noise)) {
   std::vector<std::byte> packed;
   packed.reserve(noise.size());
   for (const std::uint8_t value : noise) packed.push_back(static_cast<std::byte>(value));

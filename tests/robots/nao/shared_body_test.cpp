@@ -40,7 +40,7 @@ Measurement at(double time) {
   return measurement;
 }
 
-TEST_F(SharedBodyTest, CarriesMeasurementsOneWayAndRequestsTheOther) {
+TEST_F(SharedBodyTest, TransfersMeasurementsToTheEngineAndRequestsToTheGuard) {
   const MappedBody guard(file_, Side::guard), engine(file_, Side::engine);
   ASSERT_TRUE(guard);
   ASSERT_TRUE(engine);
@@ -65,21 +65,21 @@ TEST_F(SharedBodyTest, CarriesMeasurementsOneWayAndRequestsTheOther) {
   EXPECT_EQ(request.head_yaw, 0.5f);
 }
 
-TEST_F(SharedBodyTest, IsForItsUserAlone) {
+TEST_F(SharedBodyTest, IsAccessibleOnlyToItsUser) {
   const MappedBody guard(file_, Side::guard);
   struct stat status {};
   ASSERT_EQ(stat(file_.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0600u);
 }
 
-TEST_F(SharedBodyTest, AnEngineWithoutAGuardHasNone) { EXPECT_FALSE(MappedBody(file_, Side::engine)); }
+TEST_F(SharedBodyTest, DoesNotExistForAnEngineWithoutAGuard) { EXPECT_FALSE(MappedBody(file_, Side::engine)); }
 
 TEST_F(SharedBodyTest, HasOneGuard) {
   const MappedBody guard(file_, Side::guard);
   EXPECT_EQ(refusal(Side::guard), file_.string() + ": another guard controls the body; stop it first");
 }
 
-TEST_F(SharedBodyTest, HasOneEngineAndBesideItAWalk) {
+TEST_F(SharedBodyTest, HasOneEngineAndAWalk) {
   const MappedBody guard(file_, Side::guard);
   {
     const MappedBody engine(file_, Side::engine);
@@ -88,10 +88,10 @@ TEST_F(SharedBodyTest, HasOneEngineAndBesideItAWalk) {
                   ": another program uses this guard; stop it first, for example: systemctl --user stop reorient");
     EXPECT_EQ(refusal(Side::walk), "");
   }
-  EXPECT_EQ(refusal(Side::engine), "") << "it has ended";
+  EXPECT_EQ(refusal(Side::engine), "") << "the other engine has ended";
 }
 
-TEST_F(SharedBodyTest, OfARestartedGuardServesARunningEngine) {
+TEST_F(SharedBodyTest, ServesARunningEngineAfterARestartOfTheGuard) {
   auto first = std::make_unique<MappedBody>(file_, Side::guard);
   const MappedBody engine(file_, Side::engine);
   BodyRequest request;
@@ -99,7 +99,7 @@ TEST_F(SharedBodyTest, OfARestartedGuardServesARunningEngine) {
   for (int i = 1; i <= 10; ++i) (*first)->add(at(i));
   first.reset();
   const MappedBody second(file_, Side::guard);
-  EXPECT_FALSE(second->request.read(request)) << "what was asked of the one before";
+  EXPECT_FALSE(second->request.read(request)) << "a request to the previous guard";
   second->add(at(50));
   std::vector<Measurement> news;
   EXPECT_EQ(engine->news(10, news), 1u);
@@ -107,35 +107,35 @@ TEST_F(SharedBodyTest, OfARestartedGuardServesARunningEngine) {
   EXPECT_EQ(news[0].time, 50.0);
 }
 
-TEST_F(SharedBodyTest, OfAnotherVersionIsRefused) {
+TEST_F(SharedBodyTest, RefusesAFileOfAnotherVersion) {
   std::ofstream(file_) << "something";
   EXPECT_EQ(refusal(Side::engine),
             file_.string() + ": file of another version of the guard; start the guard of this version");
 }
 
-TEST_F(SharedBodyTest, OfAnotherLayoutIsRefused) {
+TEST_F(SharedBodyTest, RefusesAFileOfAnotherLayout) {
   const MappedBody guard(file_, Side::guard);
   guard->layout.store(SharedBody::kLayout + 1);
   EXPECT_NE(refusal(Side::engine).find("of another version of the guard"), std::string::npos);
 }
 
-TEST_F(SharedBodyTest, IsNotThereWhileItIsBeingMade) {
+TEST_F(SharedBodyTest, DoesNotExistForTheEngineWhileItIsCreated) {
   std::ofstream(file_) << "";
-  EXPECT_FALSE(MappedBody(file_, Side::engine)) << "it is opened, and has no size yet";
+  EXPECT_FALSE(MappedBody(file_, Side::engine)) << "the file exists, but is still empty";
   const MappedBody guard(file_, Side::guard);
   EXPECT_TRUE(MappedBody(file_, Side::engine));
   guard->layout.store(0);
-  EXPECT_FALSE(MappedBody(file_, Side::engine)) << "nothing has begun in it yet";
+  EXPECT_FALSE(MappedBody(file_, Side::engine)) << "the guard has not initialized it yet";
 }
 
-TEST_F(SharedBodyTest, IsNoLinkToSomethingElse) {
+TEST_F(SharedBodyTest, RefusesASymbolicLink) {
   std::ofstream(folder_.path() / "precious") << "keep me";
   std::filesystem::create_symlink(folder_.path() / "precious", file_);
   EXPECT_NE(refusal(Side::guard), "");
   EXPECT_EQ(std::filesystem::file_size(folder_.path() / "precious"), 7u);
 }
 
-TEST(SharedValue, IsReadWholeOrNotAtAll) {
+TEST(SharedValue, IsNeverReadPartly) {
   struct Wide {
     std::array<std::uint64_t, 100> numbers{};
   };
@@ -161,7 +161,7 @@ TEST(SharedValue, IsReadWholeOrNotAtAll) {
 TEST(SharedValue, WithAnUnfinishedWriteDoesNotBlockReaders) {
   SharedValue<int> value;
   value.write(1);
-  // As a writer that was stopped in the middle leaves it.
+  // The state that a writer leaves if it is stopped during a write.
   reinterpret_cast<std::atomic<std::uint64_t>&>(value).fetch_add(1);
   int seen = 0;
   EXPECT_FALSE(value.read(seen));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Datagrams of several GameControllers in one network, over the loopback's addresses.
+// Datagrams of several GameControllers in one network, sent through addresses of the loopback interface.
 #include "robots/nao/udp_referee.h"
 
 #include <algorithm>
@@ -25,13 +25,13 @@ sockaddr_in address_of(const char* address, std::uint16_t port) {
   return all;
 }
 
-/// A sender with an address of its own.
+/// A sender with its own address.
 class Speaker {
  public:
   explicit Speaker(const char* address) : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
     const sockaddr_in from = address_of(address, 0);
     if (bind(socket_, reinterpret_cast<const sockaddr*>(&from), sizeof(from)) != 0)
-      ADD_FAILURE() << "no socket at " << address;
+      ADD_FAILURE() << "cannot open a socket at " << address;
   }
   ~Speaker() { close(socket_); }
   Speaker(const Speaker&) = delete;
@@ -48,13 +48,13 @@ class Speaker {
     EXPECT_EQ(sendto(socket_, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to)),
               static_cast<ssize_t>(text.size()));
   }
-  /// What has come; empty: nothing has.
+  /// Returns the next received datagram, or an empty text.
   std::string heard() const {
     char text[64];
     const ssize_t size = recv(socket_, text, sizeof(text), MSG_DONTWAIT);
     return {text, static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
   }
-  /// The next that comes. The kernel may deliver it a moment after it was sent.
+  /// Waits for the next datagram. The kernel may deliver it a moment after it was sent.
   std::string await_heard() const {
     std::string text;
     await([&] { return !(text = heard()).empty(); });
@@ -88,7 +88,7 @@ TEST_F(UdpRefereeTest, ReceivesFromEachSenderUntilOneIsAccepted) {
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(await_heard(), "RGme, of another field");
   ours_.say("RGme, of ours", port_);
-  EXPECT_EQ(await_heard(), "RGme, of ours") << "the first is ignored";
+  EXPECT_EQ(await_heard(), "RGme, of ours") << "the datagram of the other sender is ignored";
   referee_.accept_sender();
   others_.say("RGme, of another field", port_);
   EXPECT_EQ(hear(), "");
@@ -99,10 +99,10 @@ TEST_F(UdpRefereeTest, ReceivesFromEachSenderUntilOneIsAccepted) {
   referee_.accept_sender();
   now_ += 11.0;
   others_.say("RGme, another machine", port_);
-  EXPECT_EQ(await_heard(), "RGme, another machine") << "ours is silent";
+  EXPECT_EQ(await_heard(), "RGme, another machine") << "the accepted sender is silent";
 }
 
-TEST_F(UdpRefereeTest, AnswersWhomItHeard) {
+TEST_F(UdpRefereeTest, AnswersTheSender) {
   ours_.say("nothing of a referee", port_);
   ours_.say("RGme", port_);
   EXPECT_EQ(await_heard(), "RGme");
@@ -112,7 +112,7 @@ TEST_F(UdpRefereeTest, AnswersWhomItHeard) {
   EXPECT_EQ(others_.heard(), "");
 }
 
-TEST_F(UdpRefereeTest, SaysWhichPortItCannotHave) {
+TEST_F(UdpRefereeTest, NamesThePortThatIsInUse) {
   const Speaker holder("0.0.0.0");
   try {
     const UdpReferee other(holder.port(), 1, [] { return 0.0; });

@@ -31,7 +31,7 @@ class VideoCameraTest : public testing::Test {
   std::vector<std::uint8_t> picture(std::uint8_t brightness) const {
     return std::vector<std::uint8_t>(static_cast<std::size_t>(2 * settings_.width * settings_.height), brightness);
   }
-  /// One period later, with an image that was exposed 10 ms ago.
+  /// Advances by one period and delivers an image that was exposed 10 ms ago.
   std::optional<VideoCamera::Image> look(std::uint8_t brightness) {
     now_ += kPeriod;
     device_.expose(picture(brightness), now_ - 0.01);
@@ -64,7 +64,7 @@ TEST_F(VideoCameraTest, ShowsEachImageWithTheTimeOfItsExposure) {
   EXPECT_EQ(camera_->counts().superseded, 0u);
 }
 
-TEST_F(VideoCameraTest, PassesOverWhatIsNoLongerTheNewest) {
+TEST_F(VideoCameraTest, SkipsImagesThatAreNotTheNewest) {
   begin();
   camera_->look(now_);
   ASSERT_TRUE(look(1));
@@ -75,10 +75,10 @@ TEST_F(VideoCameraTest, PassesOverWhatIsNoLongerTheNewest) {
   ASSERT_TRUE(image);
   EXPECT_EQ(image->yuyv[0], 3);
   EXPECT_EQ(camera_->counts().superseded, 1u);
-  EXPECT_GT(images_in(0.5), 10) << "no buffer was lost";
+  EXPECT_GT(images_in(0.5), 10) << "all buffers were returned";
 }
 
-TEST_F(VideoCameraTest, GuessesATimeThatTheDriverDoesNotSay) {
+TEST_F(VideoCameraTest, EstimatesATimeThatTheDriverDoesNotReport) {
   device_.knows_time = false;
   begin();
   camera_->look(now_);
@@ -88,7 +88,7 @@ TEST_F(VideoCameraTest, GuessesATimeThatTheDriverDoesNotSay) {
   EXPECT_NEAR(image->time, now_ - kPeriod, 1e-9);
 }
 
-TEST_F(VideoCameraTest, IsTurnedAroundWhereItIsMountedUpsideDown) {
+TEST_F(VideoCameraTest, FlipsTheImageOfACameraMountedUpsideDown) {
   begin();
   camera_->look(now_);
   EXPECT_TRUE(device_.is_flipped());
@@ -99,7 +99,7 @@ TEST_F(VideoCameraTest, IsTurnedAroundWhereItIsMountedUpsideDown) {
   EXPECT_FALSE(device_.is_flipped());
 }
 
-TEST_F(VideoCameraTest, LocksTheColorsThatItHasFound) {
+TEST_F(VideoCameraTest, LocksTheColorsAfterSettling) {
   begin();
   camera_->look(now_);
   EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 1);
@@ -114,7 +114,7 @@ TEST_F(VideoCameraTest, LocksTheColorsThatItHasFound) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(device_.registers().at(0x3400 + i), 100 + i);
 }
 
-TEST_F(VideoCameraTest, LocksThemWithoutRegistersAsWell) {
+TEST_F(VideoCameraTest, LocksTheColorsAlsoWithoutRegisters) {
   device_.has_registers = false;
   begin();
   images_in(settings_.settling + 0.5);
@@ -122,7 +122,7 @@ TEST_F(VideoCameraTest, LocksThemWithoutRegistersAsWell) {
   EXPECT_EQ(device_.value_of(V4L2_CID_AUTO_WHITE_BALANCE), 0);
 }
 
-TEST_F(VideoCameraTest, ExposesNoLongerThanAMovingHeadAllows) {
+TEST_F(VideoCameraTest, LimitsTheExposureForAMovingHead) {
   begin();
   camera_->look(now_);
   device_.drift(V4L2_CID_EXPOSURE_ABSOLUTE, 4000);
@@ -133,7 +133,7 @@ TEST_F(VideoCameraTest, ExposesNoLongerThanAMovingHeadAllows) {
   EXPECT_EQ(device_.value_of(V4L2_CID_GAIN), 80);
 }
 
-TEST_F(VideoCameraTest, LeavesAnExposureThatIsShortEnough) {
+TEST_F(VideoCameraTest, DoesNotChangeAnExposureThatIsShortEnough) {
   begin();
   images_in(settings_.settling + 1.2);
   EXPECT_EQ(device_.value_of(V4L2_CID_EXPOSURE_AUTO), static_cast<int>(V4L2_EXPOSURE_AUTO));
@@ -157,14 +157,14 @@ TEST_F(VideoCameraTest, KeepsAFixedExposureAfterARestart) {
 
 constexpr std::chrono::milliseconds kOften{1};
 
-/// A call of its choice hangs until the test lets it go on; one call at a time, as of a driver.
+/// One type of call hangs until the test releases it. Like a driver, it runs one call at a time.
 class HangingVideo : public FakeVideo {
  public:
   std::atomic<unsigned long> hanging_request = 0;
-  std::atomic<bool> hangs = false;  // at the moment
+  std::atomic<bool> hangs = false;  // a call hangs at present
 
   int control(unsigned long request, void* argument) override {
-    if (request == hanging_request) {  // another call says nothing of it
+    if (request == hanging_request) {  // other calls do not change `hangs`
       hangs = true;
       await([&] { return request != hanging_request; }, kOften);
       hangs = false;
@@ -177,7 +177,7 @@ class HangingVideo : public FakeVideo {
   std::mutex mutex_;
 };
 
-TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
+TEST_F(VideoCameraTest, DoesNotBlockIfACallHangs) {
   HangingVideo device;
   VideoCamera camera(device, settings_, run_apart);
   const auto look_until = [&](const auto& is_so) {
@@ -188,7 +188,7 @@ TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
     };
     return await(looks, kOften);
   };
-  // It is begun,
+  // The stream starts,
   device.hanging_request = VIDIOC_S_FMT;
   EXPECT_FALSE(camera.look(now_));
   ASSERT_TRUE(look_until([&] { return device.hangs.load(); }));
@@ -204,13 +204,13 @@ TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
   for (int i = 0; i < 100; ++i) {
     now_ += kPeriod;
     device.expose(picture(20), now_ - 0.01);
-    EXPECT_TRUE(camera.look(now_)) << "images go on";
+    EXPECT_TRUE(camera.look(now_)) << "images continue";
   }
   ASSERT_TRUE(look_until([&] { return device.hangs.load(); }));
   device.hanging_request = 0;
   ASSERT_TRUE(look_until(
       [&] { return now_ += 0.01, device.expose(picture(30), now_), camera.state() == VideoState::running; }));
-  // and it is ended.
+  // and the stream ends.
   while (camera.look(now_)) {
   }
   device.hanging_request = VIDIOC_STREAMOFF;
@@ -219,13 +219,14 @@ TEST_F(VideoCameraTest, IsNotWaitedForWhereACallHangs) {
   EXPECT_EQ(camera.state(), VideoState::closed);
   ASSERT_TRUE(look_until([&] { return device.hangs.load(); }));
   now_ += 5.0;
-  EXPECT_FALSE(camera.look(now_)) << "it is not opened while it is being closed";
+  EXPECT_FALSE(camera.look(now_)) << "the device is not opened while it is being closed";
   device.hanging_request = 0;
-  ASSERT_TRUE(look_until([&] { return now_ += 0.01, camera.state() == VideoState::running; })) << "with its colors";
+  ASSERT_TRUE(look_until([&] { return now_ += 0.01, camera.state() == VideoState::running; }))
+      << "its color gains are set again";
   EXPECT_EQ(device.opened(), 2);
 }
 
-TEST_F(VideoCameraTest, WaitsForACameraThatIsNotThereYet) {
+TEST_F(VideoCameraTest, WaitsForACameraThatDoesNotExistYet) {
   device_.is_plugged = false;
   begin();
   EXPECT_EQ(images_in(5.0), 0);
@@ -240,7 +241,7 @@ TEST_F(VideoCameraTest, RestartsAfterItWasUnplugged) {
   device_.is_plugged = false;
   EXPECT_EQ(images_in(1.0), 0);
   EXPECT_EQ(camera_->state(), VideoState::closed);
-  EXPECT_EQ(device_.mapped(), 0) << "nothing stays behind";
+  EXPECT_EQ(device_.mapped(), 0) << "all buffers are unmapped";
   device_.is_plugged = true;
   EXPECT_GT(images_in(3.0), 50);
   EXPECT_EQ(camera_->counts().restarts, 1u);
@@ -270,7 +271,7 @@ TEST_F(VideoCameraTest, RestartsIfNoImageArrives) {
   EXPECT_GT(images_in(3.0), 50);
 }
 
-TEST_F(VideoCameraTest, LeavesOutImagesThatAreDamaged) {
+TEST_F(VideoCameraTest, DropsDamagedImages) {
   begin();
   camera_->look(now_);
   for (int i = 0; i < 12; ++i) {
@@ -286,7 +287,7 @@ TEST_F(VideoCameraTest, LeavesOutImagesThatAreDamaged) {
   EXPECT_TRUE(look(7));
 }
 
-TEST_F(VideoCameraTest, RefusesASizeThatItDidNotAskFor) {
+TEST_F(VideoCameraTest, RefusesASizeThatItDidNotRequest) {
   device_.other_width = 640;
   begin();
   EXPECT_EQ(images_in(2.5), 0);
@@ -296,7 +297,7 @@ TEST_F(VideoCameraTest, RefusesASizeThatItDidNotAskFor) {
   EXPECT_GT(images_in(2.0), 20);
 }
 
-TEST_F(VideoCameraTest, OutlivesAFailureOfEachCall) {
+TEST_F(VideoCameraTest, SurvivesAFailureOfEachCall) {
   for (const unsigned long request : {VIDIOC_S_FMT, VIDIOC_G_PARM, VIDIOC_S_PARM, VIDIOC_REQBUFS, VIDIOC_QUERYBUF,
                                       VIDIOC_QBUF, VIDIOC_DQBUF, VIDIOC_STREAMON}) {
     FakeVideo device;
@@ -318,7 +319,7 @@ TEST_F(VideoCameraTest, OutlivesAFailureOfEachCall) {
   }
 }
 
-TEST_F(VideoCameraTest, AControlThatDoesNotTakeItsValueIsToldAndLeftAlone) {
+TEST_F(VideoCameraTest, CountsAControlThatRefusesItsValueAndContinues) {
   device_.stubborn = V4L2_CID_CONTRAST;
   begin();
   EXPECT_GT(images_in(5.0), 100);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A camera of V4L2 that is a few buffers: takes the calls in the order in which a driver wants them, and shows what it
-// is given.
+// A simulated V4L2 camera: requires calls in the order of a real driver, and delivers the images of the test.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +15,15 @@ namespace reorient::nao {
 
 class FakeVideo : public VideoDevice {
  public:
-  // What may be wrong with it.
+  // Faults of the camera.
   bool is_plugged = true;
   bool knows_time = true;
   bool has_registers = true;
-  int other_width = 0;         ///< which it offers instead of the wanted one
+  int other_width = 0;         ///< width that it offers instead of the requested one
   int failing_request = 0;     ///< _IOC_NR of a call that fails
-  std::uint32_t stubborn = 0;  ///< a control that does not take its value
+  std::uint32_t stubborn = 0;  ///< a control that refuses its value
 
-  /// An image is exposed at `time` (s). False: there was no buffer for it.
+  /// Exposes an image at `time` (s). Returns false if no buffer is free.
   bool expose(std::span<const std::uint8_t> yuyv, double time, bool damaged = false);
 
   bool streams() const { return streams_; }
@@ -32,7 +31,7 @@ class FakeVideo : public VideoDevice {
   int opened() const { return opened_; }
   int mapped() const { return mapped_; }
   int value_of(std::uint32_t control) const;
-  void drift(std::uint32_t control, int value) { controls_[control] = value; }  ///< as an automatism does
+  void drift(std::uint32_t control, int value) { controls_[control] = value; }  ///< like the camera's automatic control
   bool is_flipped() const { return flips_[0] && flips_[1]; }
   const std::map<int, int>& registers() const { return registers_; }
   void set_register(int address, int value) { registers_[address] = value; }

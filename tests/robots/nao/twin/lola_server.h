@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LoLA's socket in real time: one client, a packet to it each cycle, its commands in between.
+// A server like LoLA, in real time: it sends a packet to its client in each cycle and receives the client's commands.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@ namespace reorient::nao {
 
 inline constexpr long kCycleNanoseconds = 12'000'000;
 
-/// ns, of the monotonic clock.
+/// Time of the monotonic clock, ns.
 long monotonic_nanoseconds();
 
 class LolaServer {
  public:
   struct Counts {
-    long answers = 0;   ///< that came before the next packet
-    long missed = 0;    ///< packets without one
-    long slowest = 0;   ///< ns from a packet to its answer
-    long nonsense = 0;  ///< what was no command
+    long answers = 0;   ///< that arrived before the next packet
+    long missed = 0;    ///< packets without an answer
+    long slowest = 0;   ///< longest time from a packet to its answer, ns
+    long nonsense = 0;  ///< packets that are not commands
     long connections = 0;
   };
 
-  /// Throws std::system_error where the socket cannot be had.
+  /// Throws std::system_error if the socket cannot be created.
   explicit LolaServer(const char* path);
   ~LolaServer();
   LolaServer(const LolaServer&) = delete;
@@ -37,11 +37,11 @@ class LolaServer {
   bool welcome();
   void hang_up();
 
-  /// A cycle begins: what was sent before and not answered is missed.
+  /// Starts a cycle. A previous packet without an answer counts as missed.
   void begin_cycle();
-  /// In two writes where `first` is less than all.
+  /// Sends a packet, in two writes if `first` is less than its size.
   void send(std::span<const std::byte> packet, std::size_t first);
-  /// Until then.
+  /// Receives commands until this time (ns).
   void hear(long until, const std::function<void(const Command&)>& take);
 
   const Counts& counts() const { return counts_; }

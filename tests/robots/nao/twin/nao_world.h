@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A NAO that is the simulator behind LoLA and V4L2, with its guard, in simulated time: what the engine's robot sees are
-// packets and buffers, and all that it can do is to wait and to ask.
+// A simulated NAO behind LoLA and V4L2, with its guard, in simulated time. The robot of the engine receives packets and
+// buffers, and can only wait and send requests.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class NaoWorld {
   NaoWorld(SimulatorParameters parameters, const RobotBody& body, const FieldDimensions& field, const Room& room,
            const Pose2& start, std::uint64_t seed);
 
-  /// What a Nao is given.
+  /// The surroundings for a Nao.
   NaoSurroundings surroundings(std::function<bool()> is_over = nullptr);
 
   double now() const { return now_; }
@@ -28,7 +28,7 @@ class NaoWorld {
   SharedBody& shared() { return *shared_; }
   GuardReport report() const { return session_.report(now_); }
 
-  /// For so many seconds the guard is not there to be asked, or the engine cannot reach it.
+  /// While hidden, the guard cannot be reached by the engine.
   void hide_guard(bool hidden) { guard_is_hidden_ = hidden; }
   /// One cycle of 12 ms.
   void step();
@@ -37,7 +37,7 @@ class NaoWorld {
   TwinNao nao_;
   std::unique_ptr<SharedBody> shared_;
   Session session_;
-  double now_ = 1000.0;  // s, of the monotonic clock
+  double now_ = 1000.0;  // s on the monotonic clock
   bool guard_is_hidden_ = false;
 };
 

@@ -13,7 +13,7 @@ constexpr float kWeight = 5.3f;     // kg
 constexpr float kFallSpeed = 2.5f;  // rad/s
 constexpr float kOnItsFace = 1.5f;  // rad
 constexpr float kStiff = 0.1001f;   // more than a sitting robot's hips
-constexpr float kKneesBent = 1.6f;  // rad, from where on it rests on its calves
+constexpr float kKneesBent = 1.6f;  // rad, above which it rests on its calves
 
 float knees(const JointValues& joints) { return std::min(joints[kLeftKneePitch], joints[kRightKneePitch]); }
 
@@ -27,7 +27,7 @@ TwinBody::TwinBody() {
   set(identity_.body_version, "6.0.0");
   set(identity_.head_id, "P0000074A04S83I00012");
   set(identity_.head_version, "6.0.0");
-  // As it sits when it is switched on.
+  // It sits when it is switched on.
   for (const std::size_t knee : {kLeftKneePitch, kRightKneePitch}) position_[knee] = 2.09f;
   for (const std::size_t hip : {kLeftHipPitch, kRightHipPitch}) position_[hip] = -0.87f;
   for (const std::size_t ankle : {kLeftAnklePitch, kRightAnklePitch}) position_[ankle] = -1.17f;
@@ -46,18 +46,18 @@ void TwinBody::complain(const char* what, std::size_t joint, float value) {
 void TwinBody::take(const Command& command) {
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     const float stiffness = command.stiffness[joint], to = command.position[joint];
-    if (!std::isfinite(to) || !std::isfinite(stiffness)) complain("told to be no number", joint, to);
-    if (stiffness > 1.0f) complain("stiffer than there is", joint, stiffness);
+    if (!std::isfinite(to) || !std::isfinite(stiffness)) complain("target or stiffness is not finite", joint, to);
+    if (stiffness > 1.0f) complain("stiffness above 1", joint, stiffness);
     if (stiffness <= 0.0f) continue;
     const JointLimits& limits = kJointLimits[joint];
     constexpr float kRounding = 1e-4f;
     const bool goes_on = goes_on_ && command_.stiffness[joint] > 0.0f;
     const float from = goes_on ? command_.position[joint] : position_[joint];
     const float most = limits.speed * kTick + kRounding;
-    if (std::fabs(to - from) > most) complain("told to go faster than it can", joint, (to - from) / kTick);
+    if (std::fabs(to - from) > most) complain("target is too fast for the motor", joint, (to - from) / kTick);
     const float outside = std::max(limits.least - to, to - limits.most);
     if (outside > kRounding && outside > std::max(limits.least - from, from - limits.most) + kRounding)
-      complain("told to go out of its range", joint, to);
+      complain("target out of range", joint, to);
   }
   if (command.stiffness[kHeadPitch] > 0.0f) {
     const PitchRange range = head_pitch_range(command.position[kHeadYaw]);
@@ -65,15 +65,15 @@ void TwinBody::take(const Command& command) {
     const auto outside = [&range](float value) { return std::max(range.least - value, value - range.most); };
     constexpr float kSlack = 0.01f;
     if (goes_on_ && outside(pitch) > kSlack && outside(pitch) > outside(before) + kSlack)
-      complain("the head is turned into the shoulders", kHeadPitch, pitch);
+      complain("the head touches the shoulders", kHeadPitch, pitch);
   }
   command_ = command;
-  was_told_ = goes_on_ = true;
+  has_command_ = goes_on_ = true;
 }
 
 void TwinBody::step() {
   ++cycles_;
-  if (was_told_) {
+  if (has_command_) {
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
       if (command_.stiffness[joint] < 0.05f || joint == blocked_) continue;
       const float most = kJointLimits[joint].speed * kTick;
@@ -82,7 +82,7 @@ void TwinBody::step() {
   }
   float legs = 0.0f;
   for (std::size_t joint = kHipYawPitch; joint <= kRightAnkleRoll; ++joint)
-    legs += was_told_ ? std::max(command_.stiffness[joint], 0.0f) : 0.0f;
+    legs += has_command_ ? std::max(command_.stiffness[joint], 0.0f) : 0.0f;
   const bool holds = legs > 0.2f * 11.0f || knees(position_) > kKneesBent;
   if (!holds && !lies()) falling_ = true;
   if (falling_) {
@@ -95,7 +95,7 @@ void TwinBody::step() {
 void TwinBody::pick_up_and_put_down() {
   pitch_ = 0.0f;
   falling_ = false;
-  // Folded as it is put down: soft legs would not carry it.
+  // Folded when it is placed, because soft legs would not carry it.
   for (const std::size_t knee : {kLeftKneePitch, kRightKneePitch}) position_[knee] = 2.09f;
   for (const std::size_t hip : {kLeftHipPitch, kRightHipPitch}) position_[hip] = -0.87f;
   for (const std::size_t ankle : {kLeftAnklePitch, kRightAnklePitch}) position_[ankle] = -1.17f;
@@ -108,7 +108,7 @@ Measurement TwinBody::measurement() const {
   measurement.temperature.fill(35.0f);
   measurement.status.fill(0.0f);
   measurement.status[kLeftKneePitch] = status_;
-  if (was_told_) {
+  if (has_command_) {
     for (std::size_t joint = 0; joint < kJoints; ++joint)
       measurement.stiffness[joint] = std::max(command_.stiffness[joint], 0.0f);
   }
@@ -125,8 +125,8 @@ Measurement TwinBody::measurement() const {
 }
 
 bool TwinBody::is_soft() const {
-  return !was_told_ || std::all_of(command_.stiffness.begin() + kHipYawPitch, command_.stiffness.end(),
-                                   [](float stiffness) { return stiffness < kStiff; });
+  return !has_command_ || std::all_of(command_.stiffness.begin() + kHipYawPitch, command_.stiffness.end(),
+                                      [](float stiffness) { return stiffness < kStiff; });
 }
 
 bool TwinBody::stands() const { return !lies() && knees(position_) < 0.5f; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The body of a NAO as LoLA shows it: joints go where they are told as fast as their motors can; a robot whose legs go
-// soft while it stands falls. Notes what no robot should be told.
+// The simulated body of a NAO behind LoLA: joints move to their targets at the speed of their motors; a standing robot
+// whose legs become soft falls. Records invalid commands.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@ class TwinBody {
  public:
   TwinBody();
 
-  /// What holds from now on. Noted: a stiff joint told to go further from one command to the next than its
-  /// motor could in a cycle, out of its range, or the head against the shoulders.
+  /// Sets the command. Invalid are targets of a stiff joint that are out of its range or further from the previous
+  /// target than its motor moves in a cycle, and a head against the shoulders.
   void take(const Command& command);
   /// A new client is connected: the first command starts from the present joint angles, not from earlier commands.
   void meet() { goes_on_ = false; }
   /// One cycle of 12 ms.
   void step();
 
-  /// All keys fresh; the time is the caller's.
+  /// Returns a measurement with all keys fresh. The caller sets its time.
   Measurement measurement() const;
   const RobotIdentity& identity() const { return identity_; }
 
@@ -33,12 +33,11 @@ class TwinBody {
     position_[kHeadPitch] = pitch;
   }
 
-  /// What happens to it.
+  // Events from outside.
   void push() { falling_ = true; }  ///< it falls on its face
-  void pick_up_and_put_down();      ///< one that lies, on its feet, as soft as it is
-  void tilt(float roll, float pitch) {
-    held_roll_ = roll, held_pitch_ = pitch;
-  }  ///< in the operator's hands, or back to (0, 0)
+  void pick_up_and_put_down();      ///< puts a lying robot on its feet; its joints stay soft
+  /// The operator holds it tilted; (0, 0): upright.
+  void tilt(float roll, float pitch) { held_roll_ = roll, held_pitch_ = pitch; }
   void press_chest(bool pressed) { chest_ = pressed; }
   void set_status(float status) { status_ = status; }
   void set_charge(float charge) { charge_ = charge; }
@@ -49,7 +48,7 @@ class TwinBody {
   bool sits() const;  ///< or crouches
   bool lies() const { return pitch_ > 1.2f; }
   int falls() const { return falls_; }
-  /// The first thing that it should not have been told; empty: there was none.
+  /// The first invalid command; empty if all were valid.
   const std::string& complaint() const { return complaint_; }
 
  private:
@@ -58,7 +57,7 @@ class TwinBody {
   RobotIdentity identity_;
   JointValues position_{};
   Command command_;
-  bool was_told_ = false, goes_on_ = false;
+  bool has_command_ = false, goes_on_ = false;
   std::uint64_t cycles_ = 0;
   float pitch_ = 0.0f;  // of the torso, rad
   float held_roll_ = 0.0f, held_pitch_ = 0.0f;

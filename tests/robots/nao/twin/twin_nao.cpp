@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kCyclesPerFrame = 3;
 
-/// Three cycles a frame, as near as whole cycles come to 30 images a second.
+/// Three cycles per frame, the nearest to 30 images per second.
 SimulatorParameters in_step(SimulatorParameters parameters) {
   parameters.frame_rate = 1.0 / (kCyclesPerFrame * kCycle);
   parameters.body_samples = kCyclesPerFrame;
@@ -23,7 +23,7 @@ TwinNao::TwinNao(SimulatorParameters parameters, const RobotBody& body, const Fi
                  const Pose2& start, std::uint64_t seed)
     : simulator_(in_step(parameters), body, field, room, start, seed) {}
 
-/// The next frame of the simulator: what the body felt, and what was seen at its end.
+/// Simulates the next frame: samples of the body, and the image at its end.
 void TwinNao::look() {
   Answer answer;
   if (command_.stiffness[kHeadYaw] > 0.0f) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A NAO that is the simulator, as its service LoLA and its camera show it, cycle by cycle of 12 ms: head, attitude and
-// feet are the simulator's, all other joints the twin body's.
+// A simulated NAO with the interfaces of LoLA and of its camera, in cycles of 12 ms. Head, attitude and feet are those
+// of the simulator, all other joints those of the twin body.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,12 @@ class TwinNao {
   TwinNao(SimulatorParameters parameters, const RobotBody& body, const FieldDimensions& field, const Room& room,
           const Pose2& start, std::uint64_t seed);
 
-  /// One cycle: writes what LoLA says in it, and returns how many bytes that is.
+  /// One cycle: writes the packet of LoLA and returns its number of bytes.
   std::size_t feel(std::span<std::byte> packet);
-  /// What LoLA is told. False: it is no command.
+  /// Receives a packet. Returns false if it is not a command.
   bool take(std::span<const std::byte> packet);
   void take(const Command& command);
-  /// Ends the cycle that was felt at `now` (s, of the monotonic clock): every third one has an image.
+  /// Ends the cycle of the measurement at `now` (s on the monotonic clock). Every third cycle has an image.
   void show(double now);
 
   Simulator& simulator() { return simulator_; }
