@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fingerprint of what a run believed, decided and did, without names and texts.
+// The digest of the beliefs, decisions and actions of a run, without names and texts.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// The same as long as only names of states, reasons and messages to people change; DigestObserver covers these, too.
+/// Does not change with names of states, reasons and messages to people; DigestObserver includes these.
 struct NumberDigest : Observer {
   Topics wanted() const override { return {}; }
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a robot's file: refused in one line that names the file, or a body that can look about.
+// Arbitrary bytes as a robot's file: refused with one line that names the file, or read as a body with a valid neck and
+// camera.
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -21,14 +22,14 @@ void try_body(std::string_view text) {
     require(std::string_view(error.what()).starts_with("robot.toml:"), "a refusal names the file");
     return;
   }
-  require(std::isfinite(standing_camera_height(body)), "the camera is somewhere");
+  require(std::isfinite(standing_camera_height(body)), "the camera's height is finite");
   for (const double yaw : {-4.0, -0.3, 0.0, 1.1, 9.0}) {
     const HeadAngles reached = body.neck.clamp({yaw, 2.0 * yaw});
-    require(std::abs(reached.yaw) <= body.neck.yaw, "the neck turns no further than it can");
+    require(std::abs(reached.yaw) <= body.neck.yaw, "the neck stays within its limits");
     const HeadAngles again = body.neck.clamp(reached);
-    require(again.yaw == reached.yaw && again.pitch == reached.pitch, "what is reached is within reach");
+    require(again.yaw == reached.yaw && again.pitch == reached.pitch, "clamping twice changes nothing");
   }
-  require(!body.gait || body.gait->cruise >= 0.0, "a robot walks forwards");
+  require(!body.gait || body.gait->cruise >= 0.0, "the walking speed is non-negative");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from the process that listens at the companion's socket: the client of the header takes them or ends
-// the connection, never waits, and its texts end.
+// Arbitrary bytes from the process that listens at the companion's socket: the client of the header reads them or
+// closes the connection, never blocks, and returns zero-terminated texts.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -23,14 +23,14 @@ void hear(const std::uint8_t* data, std::size_t size) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) != 0) return;
   client.socket = ends[0];
-  // In two pieces, as a stream may come.
+  // In two pieces, as a stream may arrive.
   const std::size_t first = size > 0 ? data[0] % size : 0;
   int messages = 0;
   for (const auto& [from, to] : {std::pair{std::size_t{0}, first}, std::pair{first, size}}) {
     if (send(ends[1], data + from, to - from, MSG_NOSIGNAL) < 0) break;
     reorient_event event;
     while (const int kind = reorient_receive(&client, &event)) {
-      require(++messages < 10'000, "there is an end of messages");
+      require(++messages < 10'000, "the number of messages is bounded");
       if (kind == REORIENT_REFUSAL) require(std::memchr(event.refusal.why, 0, sizeof event.refusal.why), "a text ends");
       if (kind == REORIENT_NOTE) require(std::memchr(event.note.text, 0, sizeof event.note.text), "a text ends");
       if (kind == REORIENT_STATE) {
@@ -39,7 +39,7 @@ void hear(const std::uint8_t* data, std::size_t size) {
       }
       if (kind == REORIENT_ANSWER) {
         reorient_take_command(&client, &event.answer);
-        require(reorient_take_command(&client, &event.answer) == 0, "a command is told once");
+        require(reorient_take_command(&client, &event.answer) == 0, "a command is returned once");
       }
     }
   }

@@ -35,7 +35,8 @@ class Served {
       companion_.begin(*handshake, false, 1);
     for (int i = 0; i < 3; ++i) look();
     for (const RawClient::Heard& heard : client.hear())
-      require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_NOTE, "what is said is said by the protocol");
+      require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_NOTE,
+              "the type of a message is one of the protocol");
     client.end();
     look();
   }
@@ -48,19 +49,19 @@ class Served {
     looks_ = 0;
     now_ += 0.03;
     if (!companion_.observe(seen)) return;
-    require(std::isfinite(seen.time) && seen.time > last_time_, "time goes on");
+    require(std::isfinite(seen.time) && seen.time > last_time_, "time increases");
     for (const BodySample& sample : seen.body_samples) {
-      require(sample.time >= last_time_ && sample.time <= seen.time, "what was felt lies between two frames, in order");
+      require(sample.time >= last_time_ && sample.time <= seen.time, "samples lie between two frames, in order");
       last_time_ = sample.time;
     }
     last_time_ = seen.time;
-    require(seen.odometry.position.allFinite() && std::isfinite(seen.odometry.rotation), "the odometry is somewhere");
-    require(seen.body.acceleration.allFinite() && std::isfinite(seen.body.foot_load), "the body feels something");
+    require(seen.odometry.position.allFinite() && std::isfinite(seen.odometry.rotation), "the odometry is finite");
+    require(seen.body.acceleration.allFinite() && std::isfinite(seen.body.foot_load), "the sensor values are finite");
     require(seen.body_samples.size() <= 100, "samples are bounded");
     require(!seen.external.initial_pose || seen.external.initial_pose->pose.position.allFinite(),
-            "a told pose is somewhere");
+            "an initial pose is finite");
     require(seen.external.messages.size() <= kMostMessages, "messages are bounded");
-    require(!seen.upper || seen.upper->robot_from_camera.matrix().allFinite(), "the camera is somewhere");
+    require(!seen.upper || seen.upper->robot_from_camera.matrix().allFinite(), "the camera's pose is finite");
     companion_.answer({});
   }
 

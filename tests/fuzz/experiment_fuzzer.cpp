@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as an experiment file or a condition file: refused in one line that names the file, or an experiment
-// whose cells and tasks can be counted, and whose conditions are within their limits.
+// Arbitrary bytes as an experiment file or a condition file: refused with one line that names the file, or read as an
+// experiment whose cells and tasks can be counted and whose conditions are within their limits.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -22,13 +22,14 @@ void require_condition(const Condition& condition) {
   constexpr double kDay = 86'400.0;  // s
   require(!condition.scenario.empty(), "a condition has a scenario");
   require(std::find(kImageWidths.begin(), kImageWidths.end(), condition.width) != kImageWidths.end(),
-          "a width is one of those that are offered");
+          "a width is one of the supported ones");
   require(condition.cameras == "upper" || condition.cameras == "both", "cameras are upper or both");
-  require(condition.seconds >= 1.0 && condition.seconds <= kDay, "a trial ends");
-  require(condition.measurement.limit >= 0.0 && condition.measurement.limit <= kDay, "a limit is a time");
-  require(condition.measurement.hold >= 0.0 && condition.measurement.hold <= kDay, "a hold is a time");
+  require(condition.seconds >= 1.0 && condition.seconds <= kDay, "the duration of a trial is bounded");
+  require(condition.measurement.limit >= 0.0 && condition.measurement.limit <= kDay, "a limit is at most a day");
+  require(condition.measurement.hold >= 0.0 && condition.measurement.hold <= kDay, "a hold is at most a day");
   for (const ParameterChange& change : condition.parameters)
-    require(!change.name.empty() && change.source.starts_with("experiment.toml:"), "a parameter says where it is set");
+    require(!change.name.empty() && change.source.starts_with("experiment.toml:"),
+            "a parameter contains the place where it is set");
   require(as_text(condition) == as_text(Condition(condition)), "equal conditions have equal texts");
 }
 
@@ -37,7 +38,7 @@ void plan(const Experiment& experiment) {
   std::set<std::vector<std::string>> names;
   for (const Cell& cell : cells) {
     require(cell.choices.size() == experiment.axes.size(), "a cell has a choice on each axis");
-    require(names.insert(cell.choices).second, "no two cells are called the same");
+    require(names.insert(cell.choices).second, "the names of cells differ");
   }
   const std::vector<Task> tasks = tasks_of(experiment, 1);
   require(tasks.size() == cells.size() * static_cast<std::size_t>(experiment.trials), "each trial is a task");
@@ -62,7 +63,7 @@ void try_experiment(std::string_view text) {
   }
 }
 
-/// The same bytes as a condition file of its own.
+/// The same bytes as a separate condition file.
 void try_condition(std::string_view text) {
   const Haste haste(5.0);
   try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a field file: refused in one line that names the file, or a field that can be drawn and believed
-// in.
+// Arbitrary bytes as a field file: refused with one line that names the file, or read as a field with finite lines and
+// valid maps.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,18 +15,18 @@
 namespace reorient {
 namespace {
 
-constexpr double kLargestMap = 20.0;  // m^2; that of a greater field takes long, with sanitizers
+constexpr double kLargestMap = 20.0;  // m^2; the map of a larger field takes long with sanitizers
 constexpr float kRounding = 1e-4f;
 
 void draw(const FieldDimensions& field) {
   for (const FieldLine& line : field_lines(field))
-    require(line.from.allFinite() && line.to.allFinite(), "a line is somewhere");
-  for (const Eigen::Vector2d& post : goal_posts(field)) require(post.allFinite(), "a post is somewhere");
+    require(line.from.allFinite() && line.to.allFinite(), "a line is finite");
+  for (const Eigen::Vector2d& post : goal_posts(field)) require(post.allFinite(), "a post is finite");
   const FieldLines lines(field);
   for (const float x : {0.0f, 0.5f * static_cast<float>(field.length), 1.0f}) {
     for (const float y : {0.0f, 0.5f * static_cast<float>(field.width), 0.75f}) {
       const float share = lines.cover(x, y, 0.1f, 0.1f);
-      require(share >= 0.0f && share <= 1.0f + kRounding, "a share of line is a share");
+      require(share >= 0.0f && share <= 1.0f + kRounding, "the fraction of line is between 0 and 1");
     }
   }
 }
@@ -49,7 +49,7 @@ void try_file(std::string_view text) {
     require(std::string_view(error.what()).starts_with("field.toml:"), "a refusal names the file");
     return;
   }
-  require(mistake_in(field).empty(), "a field that is read can be there");
+  require(mistake_in(field).empty(), "a field that is read is valid");
   draw(field);
   if ((field.length + 2.0 * field.border) * (field.width + 2.0 * field.border) <= kLargestMap) believe(field);
 }

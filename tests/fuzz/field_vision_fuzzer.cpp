@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a camera, where it is, and images that follow each other: what is seen of a field can be there.
+// Arbitrary bytes as a camera, its pose, and consecutive images: the observations of the field vision are valid.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +30,7 @@ class Bytes {
     bytes_ = bytes_.subspan(1);
     return byte;
   }
-  /// From -1 to 1, or, rarely, any number that 8 bytes can be.
+  /// A number from -1 to 1, or, rarely, any number of 8 bytes.
   double number() {
     const int high = take();
     if (high == 255) {
@@ -52,7 +52,7 @@ class Bytes {
 };
 
 constexpr int kLargest = 160;   // pixels
-constexpr double kReach = 6.0;  // m, of what is drawn on the ground
+constexpr double kReach = 6.0;  // m, within which shapes are drawn on the ground
 
 CameraModel take_camera(Bytes& bytes) {
   const int width = 2 * (1 + bytes.take() % (kLargest / 2));
@@ -69,7 +69,7 @@ Isometry3 take_pose(Bytes& bytes) {
   return robot_from_camera({}, head, torso, 0.4 + 0.3 * bytes.number());
 }
 
-/// Something on the ground: a line, a disc, or a ring, as wide as a field's lines or wider.
+/// A shape on the ground: a line, a disc, or a ring, at least as wide as the lines of a field.
 void draw_on_ground(Image& image, const GroundProjection& projection, Bytes& bytes) {
   const int kind = bytes.take() % 3;
   const Eigen::Vector2d from(kReach * bytes.number(), kReach * bytes.number());
@@ -111,7 +111,7 @@ void look(FieldFeatures& features, const Image& image, const CameraModel& camera
 void try_images(Bytes bytes) {
   constexpr int kMostLooks = 6;
   const CameraModel camera = take_camera(bytes);
-  if (!mistake_in(camera).empty()) return;  // refused at every door
+  if (!mistake_in(camera).empty()) return;  // refused by every reader
   FieldFeatures features({}, {});
   Isometry3 pose = take_pose(bytes);
   Image image = filled(camera.width, camera.height, {75, 105, 108});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as the log of a robot: frames whose times increase, or one line.
+// Arbitrary bytes as the log of a robot: read as frames whose times increase, or refused with one line.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -25,13 +25,14 @@ void read_log(std::span<const std::byte> bytes) {
       for (FootageFrame frame; log.next(frame); is_first = false) {
         require(is_first || frame.time >= last, "times increase");
         last = frame.time;
-        require(frame.image.width() % 2 == 0 && frame.image.width() == frame.camera.width, "image and camera fit");
+        require(frame.image.width() % 2 == 0 && frame.image.width() == frame.camera.width,
+                "the sizes of image and camera agree");
       }
     } catch (const BadFootage& bad) {
       failure = bad.what();
       FootageFrame frame;
       log.next(frame);
-      require(false, "a failure lasts");
+      require(false, "a log that has failed fails again");
     }
   } catch (const BadFootage& bad) {
     require_message(bad.what());

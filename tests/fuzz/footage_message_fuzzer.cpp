@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as messages of the types that footage is read from, and what is made of them: a message, or one line,
-// and no more memory than the bytes justify.
+// Arbitrary bytes as messages of the types from which footage is read: read as a message or refused with one line, with
+// no more memory than the bytes justify.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -50,7 +50,7 @@ void use(const Message& message) {
   }
 }
 
-/// The only one that does not refuse the first byte.
+/// The only encoding that does not refuse the first byte.
 std::string_view encoding_of(std::span<const std::byte> bytes) {
   if (bytes.empty() || bytes[0] == std::byte{'{'}) return "json";
   return bytes[0] == std::byte{0} ? "cdr" : "protobuf";

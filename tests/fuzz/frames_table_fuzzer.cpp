@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a table of footage: refused in one line that names the file, or rows with finite numbers whose
-// times increase.
+// Arbitrary bytes as a table of footage: refused with one line that names the file, or read as rows with finite numbers
+// whose times increase.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,10 +28,11 @@ void try_table(std::string_view text, const ColumnHeaders& headers) {
   std::optional<double> last;
   for (const FrameRow& row : rows) {
     const std::optional<double> time = row.value(FrameColumn::time);
-    require(time.has_value() == rows.front().value(FrameColumn::time).has_value(), "all rows have a time, or none has");
+    require(time.has_value() == rows.front().value(FrameColumn::time).has_value(),
+            "all rows have a time, or no row has one");
     require(!time || !last || *time > *last, "times increase");
     last = time;
-    require(row.robot_from_camera(0.5).matrix().allFinite(), "the camera is somewhere");
+    require(row.robot_from_camera(0.5).matrix().allFinite(), "the camera's pose is finite");
     for (const std::optional<Pose2>& pose : {row.pose(), row.odometry()})
       require(!pose || (pose->position.allFinite() && std::isfinite(pose->rotation)), "a pose is finite");
   }

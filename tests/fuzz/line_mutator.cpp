@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For inputs that are texts of lines: half of the time whole lines are taken out, doubled or exchanged. What is still
-// well-formed reaches further than what the parser refuses.
+// For inputs that are texts of lines: half of the mutations remove, repeat or swap whole lines. A text that is still
+// well-formed reaches more code than one that the parser refuses.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

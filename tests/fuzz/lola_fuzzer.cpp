@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from the process that listens at LoLA's socket, in pieces: the guard hangs up, or sends joints only
-// what they can do. The same bytes as a command, for the simulated robot.
+// Arbitrary bytes from the process that listens at LoLA's socket, in pieces: the guard closes the connection, or sends
+// only commands that the joints can carry out. The same bytes as a command for the simulated robot.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -32,7 +32,7 @@ void hear(std::span<const std::byte> bytes) {
   double time = 1.0;
   while (!bytes.empty()) {
     const std::span<std::byte> space = session.space();
-    require(!space.empty(), "there is room for more");
+    require(!space.empty(), "the buffer has space");
     const std::size_t size = std::min({space.size(), bytes.size(), piece});
     std::copy_n(bytes.begin(), size, space.begin());
     bytes = bytes.subspan(size);
@@ -43,11 +43,12 @@ void hear(std::span<const std::byte> bytes) {
     Command command;
     require(read_command_packet(session.to_send(), command), "an answer can be read");
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
-      require(std::isfinite(command.position[joint]), "a joint is told a number");
+      require(std::isfinite(command.position[joint]), "the target of a joint is finite");
       require(command.stiffness[joint] >= 0.0f && command.stiffness[joint] <= 1.0f, "stiffness has its range");
       if (!any || command.stiffness[joint] <= 0.0f || before.stiffness[joint] <= 0.0f) continue;
       const auto most = static_cast<float>(kJointLimits[joint].speed * kCycle) + 1e-3f;
-      require(std::fabs(command.position[joint] - before.position[joint]) <= most, "no joint is told to jump");
+      require(std::fabs(command.position[joint] - before.position[joint]) <= most,
+              "no target is faster than its joint");
     }
     before = command;
     any = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a saved model of a room: refused in one line, or a model that is written as it was read, can be
-// turned, compared and merged, and with which a robot looks at the room.
+// Arbitrary bytes as a saved model of a room: refused with one line, or read as a model that is written with the same
+// bytes, can be rotated, compared and merged, and can be used by a robot.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -29,12 +29,12 @@ void try_with_another(const SavedModel& model) {
   turned.turn_half();
   for (const ModelComparison& comparison : {compare(model, model), compare(model, turned)}) {
     for (const TileDifference& tile : comparison.tiles)
-      require(tile.distance >= 0.0 && tile.distance <= 1.0, "a distance is one");
+      require(tile.distance >= 0.0 && tile.distance <= 1.0, "a distance is between 0 and 1");
   }
-  require(!compare(model, model).is_turned(), "nothing is turned against itself");
+  require(!compare(model, model).is_turned(), "a model is not rotated against itself");
   const SavedModel both = merged(model, turned);
-  require(written(both) == written(merged(turned, model)), "it does not matter which of two is the first");
-  require(written(read_model(written(both))) == written(both), "what is made of two models is one");
+  require(written(both) == written(merged(turned, model)), "the order of two models does not matter");
+  require(written(read_model(written(both))) == written(both), "two merged models are a valid model");
   turned.turn_half();
   require(written(turned) == written(model), "two rotations by 180 degrees change nothing");
 }
@@ -61,10 +61,10 @@ void try_in_a_robot(const SavedModel& model) {
     const Confidences& confidences = room.update(view);
     for (const double value : {confidences.evidence, confidences.current, confidences.opposite, confidences.coverage,
                                confidences.distinctiveness, room.light().luma, room.light().cb})
-      require(std::isfinite(value), "what a robot makes of a model is finite");
+      require(std::isfinite(value), "the results with a model are finite");
   }
   require(written({room.basis(), model.learned, room.model()}).size() == written(model).size(),
-          "to look at a room does not change the wall");
+          "evaluation does not change the model");
 }
 
 void try_model(std::span<const std::byte> bytes) {
@@ -76,12 +76,12 @@ void try_model(std::span<const std::byte> bytes) {
     require_message(refused.what());
     return;
   }
-  require(std::ranges::equal(written(model), bytes), "a model is written as it was read");
+  require(std::ranges::equal(written(model), bytes), "a model is written with the bytes that were read");
   try_with_another(model);
   try_in_a_robot(model);
 }
 
-/// Corrects the length of the content and the checksum, which no mutation would pass.
+/// Corrects the length of the content and the checksum, because mutations would never match them.
 void correct_length_and_checksum(std::span<std::uint8_t> bytes) {
   constexpr std::size_t kSizeAt = 12, kHead = 16, kSum = 8;
   if (bytes.size() < kHead + kSum) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a parameter file: refused in one line that names the file, or read into changes that a registry
-// takes or refuses; and what is saved of them is read back as it was.
+// Arbitrary bytes as a parameter file: refused with one line that names the file, or read into changes that a registry
+// accepts or refuses. Saving and reading the parameters returns the same values.
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -18,7 +18,7 @@ namespace {
 
 enum class Animal { ant, bee };
 
-/// One of each kind.
+/// One parameter of each type.
 struct Tuned {
   double lead = 0.3;
   double tiny = 0.0;
@@ -42,11 +42,11 @@ std::map<std::string, std::string> values_of(const ParameterRegistry& registry) 
   return values;
 }
 
-/// Throws std::runtime_error where a change is refused.
+/// Throws std::runtime_error if a change is refused.
 void take(const std::vector<ParameterChange>& changes, ParameterRegistry& registry) {
   for (const ParameterChange& change : changes) {
-    require(change.source.starts_with("team.toml:"), "a change says where it is written");
-    require(change.origin == ParameterOrigin::file, "a change is the file's");
+    require(change.source.starts_with("team.toml:"), "a change contains the place where it is written");
+    require(change.origin == ParameterOrigin::file, "the origin of a change is the file");
     registry.set_early(change);
   }
 }
@@ -67,7 +67,7 @@ void try_file(std::string_view text) {
   Tuned tuned_again;
   again.bind("tuned", tuned_again);
   take(parse_parameters(parameter_text(registry.list(), {}), "team.toml"), again);
-  require(values_of(registry) == values_of(again), "what is saved is read back");
+  require(values_of(registry) == values_of(again), "saved values are read back");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary string patterns against arbitrary subjects: the price is paid, captures lie within the subject, and what
-// matches is what Lua's own matcher finds. The input is the pattern, a byte 0xFF, the subject.
+// Arbitrary string patterns and subjects: each search is charged for its steps, captures lie within the subject, and
+// the match is that of Lua's own matcher. The input is the pattern, a byte 0xFF, the subject.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,10 +15,10 @@ namespace reorient {
 namespace {
 
 constexpr std::int64_t kSteps = 20'000;
-constexpr std::int64_t kDearest = 1'024;    // steps that the last thing before the end may cost
-constexpr std::size_t kLongestForLua = 48;  // bytes of pattern and subject: Lua's own search is not bounded
+constexpr std::int64_t kDearest = 1'024;    // largest number of steps of the last operation before the end
+constexpr std::size_t kLongestForLua = 48;  // bytes of pattern and subject, because Lua's own search is not bounded
 
-/// What Lua's string.find says: begin and end in Pattern's way of counting; nothing where it is malformed for Lua.
+/// The result of Lua's string.find: begin and end, counted as in Pattern; nothing if the pattern is malformed for Lua.
 struct LuasAnswer {
   bool malformed = false;
   std::optional<std::pair<std::size_t, std::size_t>> match;
@@ -59,19 +59,20 @@ void try_pattern(std::string_view text, std::string_view subject) {
   try {
     match = Pattern(text).search(subject, 0, steps);
   } catch (const PatternTooCostly&) {
-    require(steps >= -kDearest, "a search ends where its steps do");
+    require(steps >= -kDearest, "a search ends when its steps are used up");
     return;
   } catch (const PatternError&) {
     return;
   }
   require(steps < kSteps, "a search costs something");
   if (match) look_at(*match, subject);
-  // Lua takes a text without special letters as it is, which for find() is the same.
+  // Lua searches a text without special characters literally, with the same result.
   if (text.size() > kLongestForLua || subject.size() > kLongestForLua) return;
   const LuasAnswer answer = ask_lua(subject, text);
-  if (answer.malformed) return;  // deeper than Lua goes, or noticed by Lua on a way that is not gone here
-  require(answer.match.has_value() == match.has_value(), "what Lua finds is found");
-  if (match) require(*answer.match == std::pair(match->begin, match->end), "it is found where Lua finds it");
+  if (answer.malformed) return;  // nested deeper than Lua allows, or found by Lua in a part that is not searched here
+  require(answer.match.has_value() == match.has_value(), "both find a match, or neither does");
+  if (match)
+    require(*answer.match == std::pair(match->begin, match->end), "the match is at the same position as Lua's");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requirements of a fuzzer on the tested code: a broken one ends the fuzzer, and the input is saved.
+// Requirements of a fuzzer on the tested code. A broken one ends the fuzzer, which saves the input.
 #pragma once
 
 #include <cstdio>
@@ -17,7 +17,7 @@ inline void require(bool promise, const char* what) {
   std::abort();
 }
 
-/// What a person reads about an input that is refused.
+/// Checks the message about an input that is refused.
 inline void require_message(std::string_view message) {
   constexpr std::size_t kLongest = 2000;
   require(!message.empty(), "a refusal has a reason");
@@ -29,15 +29,15 @@ inline void require_message(std::string_view message) {
   }
 }
 
-/// Of this thread.
+/// Processor time of this thread, s.
 inline double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// What happens while it lives is done soon. libFuzzer's own limit is one of wall-clock time, and a busy machine may
-/// take any amount of that.
+/// Limits the processor time during its lifetime. libFuzzer's own limit is of wall-clock time, which depends on the
+/// load of the machine.
 class Haste {
  public:
   explicit Haste(double seconds) : end_(processor_seconds() + seconds) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes at the prompt of a run: as a pipe sends them, command by command, and as the keys of a terminal. What
-// is told can be read, and the robot goes on.
+// Arbitrary bytes at the prompt of a run: as a pipe sends them, command by command, and as the keys of a terminal. The
+// answers are readable, and the robot continues.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ namespace reorient {
 namespace {
 
 constexpr double kStep = 1.0 / 30.0;  // s
-constexpr int kMostCommands = 20;     // one a frame; then it goes on while anything is said
+constexpr int kMostCommands = 20;     // one per frame; the run continues until no more output appears
 constexpr int kMostFrames = 200;
 constexpr std::size_t kLongestAnswer = 200'000;  // bytes
 
@@ -60,7 +60,7 @@ void require_readable(std::string_view text) {
           "an answer has no control characters");
 }
 
-/// The map of a whole one would take most of the time.
+/// A small field, because the map of a whole one would take most of the time.
 FieldDimensions small_field() {
   FieldDimensions field;
   field.length = 3.0;
@@ -86,7 +86,7 @@ class Trial {
     setup.scripts = texts;
     setup.behaviors.emplace_back("tested");
     engine_.emplace(std::move(setup));
-    require(pipe(ends_) == 0, "there is a pipe");
+    require(pipe(ends_) == 0, "a pipe can be created");
     console_.emplace(ends_[0], out_, subject());
   }
   Trial(const Trial&) = delete;
@@ -100,7 +100,7 @@ class Trial {
   void type(std::string_view text) const {
     constexpr std::size_t kPipe = 65'536;  // bytes, pipe(7)
     const std::string_view fitting = text.substr(0, kPipe);
-    require(write(ends_[1], fitting.data(), fitting.size()) == std::ssize(fitting), "a pipe takes it");
+    require(write(ends_[1], fitting.data(), fitting.size()) == std::ssize(fitting), "the pipe accepts all bytes");
   }
   void close_writing() {
     if (ends_[1] >= 0) close(ends_[1]);
@@ -113,7 +113,7 @@ class Trial {
     }
   }
 
-  /// What a terminal would offer behind each beginning of the line.
+  /// Requests the completions of a terminal after each prefix of the line.
   void complete(const std::string& line) {
     const CommandTable table(subject());
     std::istringstream in(line);
@@ -145,11 +145,11 @@ class Trial {
         .scenario = &*scenario_, .parameters = [this] { return parameters(); }, .scripts = folder_.path() / "scripts"};
   }
 
-  /// Whether anything was said.
+  /// Returns whether the prompt printed anything.
   bool step() {
     out_.str("");
     console_->add_to(inputs_);
-    require(inputs_.parameter_changes.size() <= 1, "one command a frame");
+    require(inputs_.parameter_changes.size() <= 1, "at most one command per frame");
     if (!inputs_.script_edits.empty()) scenario_->apply(inputs_.script_edits);
     engine_->step(inputs_, console_->wanted());
     inputs_.parameter_changes.clear();
@@ -176,7 +176,7 @@ class Trial {
   int ends_[2] = {-1, -1};
 };
 
-/// `save` writes where it is told to: here, into a folder of the trial.
+/// Redirects the files of `save` to the folder of the trial.
 std::string kept_within(const std::filesystem::path& folder, std::string_view text) {
   std::istringstream in{std::string(text)};
   std::string kept;
@@ -201,11 +201,11 @@ void type_keys(std::string_view bytes) {
       while (std::optional<std::string> key = queue.next()) keys.push_back(std::move(*key));
     }
     queue.drop_begun();
-    require(queue.empty(), "what begins a key can be dropped");
+    require(queue.empty(), "an incomplete key can be dropped");
     return keys;
   };
   const Words keys = keys_of(bytes.size());
-  require(keys == keys_of(1), "a key is the same, however its bytes come");
+  require(keys == keys_of(1), "keys do not depend on how their bytes are split");
   for (const std::string& key : keys) require(!key.empty() && is_utf8(key), "a key is a letter or a sequence");
 }
 

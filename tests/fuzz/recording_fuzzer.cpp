@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a recording, and as what a recording holds: damage is reported with its position, what can be
-// read is read, and neither takes more memory than the bytes justify.
+// Arbitrary bytes as a recording and as the content of a recording: damage is reported with its position, the rest is
+// read, and neither needs more memory than the bytes justify.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,7 @@ void try_file(std::span<const std::byte> bytes) {
   const mcap::MemorySource source(bytes);
   try {
     const mcap::Contents contents = mcap::read_contents(source);
-    require(contents.is_complete || contents.damage, "a file is whole, or its damage is told");
+    require(contents.is_complete || contents.damage, "a file is complete, or its damage is reported");
     for (const mcap::AttachmentPlace& place : contents.attachments) {
       try {
         require(read_attachment(source, place).size() <= bytes.size(), "an attachment lies in its file");
@@ -38,9 +38,9 @@ void try_file(std::span<const std::byte> bytes) {
     recording.read_views();
     RecordedFrame frame;
     for (int i = 0; i < 100 && recording.next(frame); ++i)
-      require(frame.entry.digests.size() <= kTopics.size(), "a frame has one fingerprint a topic");
+      require(frame.entry.digests.size() <= kTopics.size(), "a frame has at most one digest per topic");
     static_cast<void>(recording.go_to(1.0));
-  } catch (const BadBytes&) {  // of another version, or made up
+  } catch (const BadBytes&) {  // of another version, or invalid
   } catch (const std::runtime_error&) {
   }
 }
@@ -51,7 +51,7 @@ void try_message(std::span<const std::byte> bytes) {
     read_frame_entry(bytes, entry);
     std::vector<std::byte> again;
     write_frame_entry(entry, again);
-    require(again.size() == bytes.size(), "what was read is written as it was");
+    require(again.size() == bytes.size(), "a frame is written with the size that was read");
     const StoredInputs inputs(entry.inputs);
     static_cast<void>(read_record(entry.record));
   } catch (const BadBytes&) {
@@ -61,7 +61,7 @@ void try_message(std::span<const std::byte> bytes) {
     unpack_image(bytes, image);
     std::vector<std::byte> again;
     pack_image(image.view(), again);
-    require(again == std::vector<std::byte>(bytes.begin(), bytes.end()), "an image is packed as it was");
+    require(again == std::vector<std::byte>(bytes.begin(), bytes.end()), "an image is packed into the same bytes");
   } catch (const BadBytes&) {
   }
 }

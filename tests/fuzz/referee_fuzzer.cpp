@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary datagrams at the port of the GameController, one after the other: what is believed of them makes sense.
+// Arbitrary datagrams at the port of the GameController, one after another: accepted datagrams contain valid states.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +14,14 @@ namespace {
 void hear(std::span<const std::byte> bytes) {
   GameController game(5, 3);
   while (!bytes.empty()) {
-    // A length, then so many bytes.
+    // A length, then this number of bytes.
     const std::size_t size = std::min(bytes.size() - 1, std::to_integer<std::size_t>(bytes[0]));
     ExternalInputs external;
     const bool heard = game.hear(bytes.subspan(1, size), external);
-    require(heard || (!external.referee && !external.half_time), "what was not understood says nothing");
+    require(heard || (!external.referee && !external.half_time), "a rejected datagram has no effect");
     if (external.referee) {
-      require(static_cast<int>(external.referee->state) < enum_count(GameState{}), "there is such a state");
-      require(!to_string(external.referee->state).empty(), "and it has a name");
+      require(static_cast<int>(external.referee->state) < enum_count(GameState{}), "the state is known");
+      require(!to_string(external.referee->state).empty(), "the state has a name");
     }
     bytes = bytes.subspan(1 + size);
   }

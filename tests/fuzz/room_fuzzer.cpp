@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as the panorama of a room, be it a Radiance picture, a PNG or a JPEG: refused in one line that names
-// the file, or a picture of a sane size in finite light; some of them become rooms.
+// Arbitrary bytes as the panorama of a room (Radiance, PNG or JPEG): refused with one line that names the file, or read
+// as a picture of limited size with finite light. Some of them are converted to rooms.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// To build a room takes a thousand times longer than to read its picture.
+/// Only small pictures, because building a room takes a thousand times longer than reading its picture.
 bool is_chosen(Bytes bytes) { return crc32(0, bytes.data(), static_cast<uInt>(bytes.size())) % 512 == 0; }
 
 void try_panorama(Bytes bytes) {
@@ -35,9 +35,9 @@ void try_panorama(Bytes bytes) {
   }
   require(image.width <= 8192 && image.height <= 4096, "a picture fits into memory");
   require(image.pixels.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
-          "a picture is whole");
+          "a picture has all pixels");
   for (const LinearColor& color : image.pixels)
-    require(color.isFinite().all() && color.minCoeff() >= 0.0f, "light is finite and not less than none");
+    require(color.isFinite().all() && color.minCoeff() >= 0.0f, "light is finite and non-negative");
   if (!is_chosen(bytes)) return;
   RoomShape small;
   small.length = 11.0;
@@ -47,7 +47,7 @@ void try_panorama(Bytes bytes) {
   require(room.light.isFinite().all(), "the light on the field is finite");
 }
 
-/// Puts right the checksum of each chunk of a PNG, over which no mutation would get.
+/// Corrects the checksum of each chunk of a PNG, because mutations would never match it.
 void correct_checksums(std::span<std::uint8_t> png) {
   constexpr std::size_t kSignature = 8, kWord = 4;
   const auto word = [png](std::size_t at) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary texts as a behavior and as an edit of it: loaded, ticked, reloaded, ticked. Whatever the texts say, the
-// engine keeps its promises; a broken one aborts. The input is the behavior, a byte 0xFF, the edit; without that byte
-// the edit is the behavior with its first digit changed.
+// Arbitrary texts as a behavior and as an edit of it: loaded, run, reloaded, run. The engine must keep its promises for
+// any text; a broken promise aborts. The input is the behavior, a byte 0xFF, the edit; without that byte the edit is
+// the behavior with its first digit changed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +36,7 @@ namespace {
 constexpr const char* kHonest = R"(KIND "honest_one" { update = function() log.info("alive") end })";
 constexpr int kFrames = 12;  // between two edits
 constexpr std::size_t kMemorySlack = 64 * 1024;
-constexpr std::int64_t kInstructionSlack = 10'000;  // exits and what C functions did before they were charged
+constexpr std::int64_t kInstructionSlack = 10'000;  // exits, and work of C functions before they are charged
 constexpr double kLongestTick = 0.25;               // s of processor time, with sanitizers
 constexpr double kLongestLoad = 1.0;
 
@@ -50,7 +50,7 @@ ScriptLimits low_limits() {
   return limits;
 }
 
-/// Worlds that differ in all that behaviors ask about, the same ones for the same input.
+/// Random worlds that differ in all fields that behaviors read; the same ones for the same input.
 class Worlds {
  public:
   explicit Worlds(std::uint64_t seed) : bits_(seed) {}
@@ -94,7 +94,7 @@ class Worlds {
   std::uint64_t bits_;
 };
 
-/// The scripts of one kind, with an honest one beside the fuzzed one.
+/// The scripts of one type: a valid one and the fuzzed one.
 class Trial {
  public:
   Trial(std::uint64_t seed, ScriptLanguage& language, const std::string& folder, ScriptTexts texts)
@@ -103,7 +103,7 @@ class Trial {
   }
   virtual ~Trial() = default;
 
-  /// False: the text is no script.
+  /// Returns false if the text is not a script.
   bool load(const std::string& text) {
     const std::vector<ScriptEdit> edits{{file_, ScriptText{text, ""}}};
     host_.apply(edits);
@@ -156,7 +156,7 @@ class Trial {
     for (const MachineDefinition* definition : host_.definitions()) {
       if (definition->name == host_.names()[machine] && definition->find(host_.names()[path]) >= 0) return;
     }
-    require(false, "a state is one of the definition's");
+    require(false, "a state belongs to the definition");
   }
 
   const ScriptHost& host() const { return host_; }
@@ -164,7 +164,7 @@ class Trial {
 
  private:
   void look_at(const ScriptOutput& output) {
-    require(!output.logs.empty() && output.logs.front().text == "alive", "the honest script goes on");
+    require(!output.logs.empty() && output.logs.front().text == "alive", "the valid script continues");
     std::map<NameId, std::size_t> logged;
     for (const LogRecord& record : output.logs)
       require(++logged[record.machine] <= ScriptActions::kMostPerFrame, "log lines are bounded");
@@ -176,7 +176,7 @@ class Trial {
     rolled_back_ = false;
     for (const FaultRecord& fault : output.faults) {
       require(fault.script == file_, "only the fuzzed script fails");
-      require(!fault.fault.message.empty(), "a fault says what");
+      require(!fault.fault.message.empty(), "a fault has a message");
       rolled_back_ |= fault.consequence == FaultRecord::Consequence::rolled_back;
     }
   }
@@ -236,7 +236,7 @@ class BehaviorTrial : private BehaviorLanguageFirst, public Trial {
     std::map<NameId, std::size_t> commanded;
     for (const ReorientationRequest& request : wanted.commands)
       require(++commanded[request.issuer.machine] <= ScriptActions::kMostPerFrame, "commands are bounded");
-    // What a version issued before it was rolled back is from its own states, which are gone.
+    // Commands that a version issued before it was rolled back are from its own states, which no longer exist.
     for (const ReorientationRequest& request : wanted.commands) {
       if (!rolled_back()) require_state(request.issuer.machine, request.issuer.state);
     }
@@ -305,15 +305,15 @@ ScriptTexts texts_with_honest_one(const std::string& folder, const std::string& 
   return texts;
 }
 
-/// What `reorient check` does: it takes any text, and points into it.
+/// Like `reorient check`: it accepts any text, and its findings are positions in it.
 void check_without_running(const std::string& text) {
   static const SymbolTable known = symbol_table(ScriptRole::behavior, std::nullopt);
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
   TextPosition before;
   for (const Finding& finding : check_text(text, known).findings) {
     require(finding.position.line >= 1 && finding.position.line <= lines && finding.position.column >= 1,
-            "a mistake stands in the text");
-    require(!is_before(finding.position, before), "mistakes are told in their order");
+            "the position of a finding is in the text");
+    require(!is_before(finding.position, before), "findings are in the order of their positions");
     before = finding.position;
   }
 }

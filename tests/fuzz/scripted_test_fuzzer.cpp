@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary texts as a file of scripted tests, beside the shipped behaviors: any test ends soon, and
-// its messages are readable text.
+// Arbitrary texts as a file of scripted tests, with the shipped behaviors: any test ends soon, and its messages are
+// readable text.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,11 +15,11 @@
 namespace reorient {
 namespace {
 
-constexpr int kMostQuestions = 400;  // whether to stop: asked before each test and each frame
+constexpr int kMostQuestions = 400;  // largest number of calls of stop(), before each test and each frame
 constexpr std::int64_t kInstructions = 200'000;
 constexpr std::size_t kLongestText = 20'000;
 
-/// A simulation that ends at once and did what it was asked.
+/// A simulation that ends at once with success.
 SimulationOutcome pretend(const SimulationRequest& request, CoverageTrace&, const std::function<bool()>&) {
   SimulationOutcome outcome;
   outcome.is_correct = request.seed % 2 == 1;
@@ -31,7 +31,7 @@ SimulationOutcome pretend(const SimulationRequest& request, CoverageTrace&, cons
 
 void look_at(const TestCase& test) {
   require(test.name.size() <= kLongestText, "a name can be read");
-  require(!test.skipped, "nothing is skipped where there is a simulator");
+  require(!test.skipped, "no test is skipped with a simulator");
   for (const TestFailure& failure : test.failures) {
     require(!failure.text.empty(), "a failure has a reason");
     require(failure.text.size() <= kLongestText, "a failure can be read");
@@ -55,7 +55,7 @@ void try_tests(std::string_view text) {
     look_at(test);
     summary.cases.push_back(std::move(test));
   });
-  require(!summary.cases.empty() || asked > kMostQuestions, "something is told about each file");
+  require(!summary.cases.empty() || asked > kMostQuestions, "each file has a result");
   for (const char letter : junit_report(summary)) {
     const auto code = static_cast<unsigned char>(letter);
     require(code >= ' ' || letter == '\n' || letter == '\t', "a report has no control characters");
