@@ -301,7 +301,7 @@ TEST_F(BadInput, AnInvalidRootOfScriptsIsNamed) {
   std::filesystem::create_directories(folder_.path() / "none" / "behaviors");
   expect_refused({"check", "--scripts", path("none")}, {"found no scripts in it"});
   expect_refused({"check", (kProjectFolder / "scripts/README.md").string()},
-                 {"README.md: not a script (expected a folder or a file *.lua)"});
+                 {"README.md: expected a folder or a file *.lua"});
   std::filesystem::create_directory(folder_.path() / "mine");
   EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess) << "it is begun";
 }

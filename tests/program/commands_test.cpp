@@ -38,8 +38,9 @@ TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
       << "local x = robot.penalised\nbehavior \"odd\" { initial = \"a\", state \"a\" {} }\n";
   const ProgramRun checked = run({"check"});
   EXPECT_EQ(checked.code, kWrong);
-  EXPECT_NE(checked.out.find("behaviors/odd.lua:1:17: error: there is no robot.penalised (did you mean 'penalized'?)"),
-            std::string::npos)
+  EXPECT_NE(
+      checked.out.find("behaviors/odd.lua:1:17: error: robot has no field 'penalised' (did you mean 'penalized'?)"),
+      std::string::npos)
       << checked.out;
 }
 

@@ -76,7 +76,7 @@ TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedAndOfThoseWithoutAWayOut
 }
 )");
   EXPECT_EQ(findings(),
-            "behaviors/odd.lua:4:9: warning: state 'two' has no way out\n"
+            "behaviors/odd.lua:4:9: warning: no transition leaves state 'two'\n"
             "behaviors/odd.lua:5:9: warning: state 'island' is never reached\n");
   EXPECT_EQ(check().count(Finding::Severity::error), 0);
 }
@@ -106,10 +106,10 @@ TEST_F(ScriptCheckTest, WarnsOfACopyThatKeptItsName) {
   folder.write("behaviors/near/second.lua", "\nbehavior \"first\" { state \"a\" {} }\n");
   folder.write("scenarios/evening.lua", "scenario \"morning\" { state \"a\" {} }\n");
   EXPECT_EQ(findings(),
-            "behaviors/near/second.lua:2:10: warning: this behavior is called 'first' and its file 'second'; one name "
-            "for both\n"
-            "scenarios/evening.lua:1:10: warning: this scenario is called 'morning' and its file 'evening'; one name "
-            "for both\n");
+            "behaviors/near/second.lua:2:10: warning: behavior 'first' is declared in a file with the name 'second' "
+            "(expected the same name)\n"
+            "scenarios/evening.lua:1:10: warning: scenario 'morning' is declared in a file with the name 'evening' "
+            "(expected the same name)\n");
 }
 
 TEST_F(ScriptCheckTest, WarnsOfATransitionIntoAStateAroundIt) {
@@ -124,11 +124,11 @@ TEST_F(ScriptCheckTest, WarnsOfATransitionIntoAStateAroundIt) {
 }
 )");
   EXPECT_EQ(findings(),
-            "behaviors/odd.lua:5:18: warning: the transition to 'outer' is never taken: 'outer' is active all the "
-            "while; name a state in it, or one beside it\n"
-            "behaviors/odd.lua:7:11: warning: state 'outer/b' has no way out\n"
-            "behaviors/odd.lua:7:19: warning: the transition to 'outer' is never taken: 'outer' is active all the "
-            "while; name a state in it, or one beside it\n");
+            "behaviors/odd.lua:5:18: warning: the transition to 'outer' is never taken: 'outer' is already "
+            "active (expected a target inside or outside of it)\n"
+            "behaviors/odd.lua:7:11: warning: no transition leaves state 'outer/b'\n"
+            "behaviors/odd.lua:7:19: warning: the transition to 'outer' is never taken: 'outer' is already "
+            "active (expected a target inside or outside of it)\n");
 }
 
 TEST_F(ScriptCheckTest, KnowsThatAStateMayLeadToItself) {
@@ -150,13 +150,14 @@ behavior "b" { update = function()
   if robot.penalized and steps.clamp then print("whenever it is penalized") end
 end }
 )");
-  EXPECT_EQ(findings(),
-            "behaviors/b.lua:3:23: error: lib.steps.clamp needs 2 arguments, not 1: lib.steps.clamp(value, most)\n"
-            "behaviors/b.lua:4:12: error: argument 1 of lib.steps.go is a number, not a string\n"
-            "behaviors/b.lua:5:6: warning: lib.steps.clamp is a function, which is always true: call it, "
-            "lib.steps.clamp()\n"
-            "behaviors/b.lua:6:26: warning: lib.steps.clamp is a function, which is always true: call it, "
-            "lib.steps.clamp()\n");
+  EXPECT_EQ(
+      findings(),
+      "behaviors/b.lua:3:23: error: lib.steps.clamp: expected 2 arguments, found 1: lib.steps.clamp(value, most)\n"
+      "behaviors/b.lua:4:12: error: argument 1 of lib.steps.go: expected a number, found a string\n"
+      "behaviors/b.lua:5:6: warning: lib.steps.clamp is a function, which is always true: call it, "
+      "lib.steps.clamp()\n"
+      "behaviors/b.lua:6:26: warning: lib.steps.clamp is a function, which is always true: call it, "
+      "lib.steps.clamp()\n");
 }
 
 TEST_F(ScriptCheckTest, RefusesKeysWithoutEffectForTheTypeOfAParameter) {
@@ -206,22 +207,23 @@ test("y", function()
   expect.state("a", "everywhere")
 end)
 )");
-  EXPECT_EQ(findings(),
-            "tests/a_test.lua:2:17: error: argument 1 of load_behavior is never 'b' (did you mean 'a'?)\n"
-            "tests/a_test.lua:3:13: error: argument 1 of set_param is never 'a.laed' (did you mean 'a.lead'?)\n"
-            "tests/a_test.lua:4:35: error: robot.posture is never 'upside down'; it is one of falling, getting_up, "
-            "lifted, lying, upright\n"
-            "tests/a_test.lua:4:50: error: there is no robot.fallen\n"
-            "tests/a_test.lua:4:92: error: confidence.current is a number, not a string\n"
-            "tests/a_test.lua:5:21: error: a has no state 'there' (did you mean 'here'?)\n"
-            "tests/a_test.lua:6:16: error: argument 1 of expect.state is never 'c' (did you mean 'a'?)\n"
-            "tests/a_test.lua:7:18: error: argument 1 of expect.command is never 'flip' (did you mean 'flip_pose'?)\n"
-            "tests/a_test.lua:8:31: error: argument 2 of expect.command is never 'grantd' (did you mean 'granted'?)\n"
-            "tests/a_test.lua:9:12: error: there is no 'form' (did you mean 'from'?)\n"
-            "tests/a_test.lua:9:29: error: to is a string, not a number\n"
-            "tests/a_test.lua:10:25: error: scenario is never 'none'\n"
-            "tests/a_test.lua:10:40: error: seed is a number, not a string\n"
-            "tests/a_test.lua:11:11: error: argument 1 of advance is a number, not a string\n");
+  EXPECT_EQ(
+      findings(),
+      "tests/a_test.lua:2:17: error: argument 1 of load_behavior: unknown value 'b' (did you mean 'a'?)\n"
+      "tests/a_test.lua:3:13: error: argument 1 of set_param: unknown value 'a.laed' (did you mean 'a.lead'?)\n"
+      "tests/a_test.lua:4:35: error: robot.posture: unknown value 'upside down' (expected falling, getting_up, "
+      "lifted, lying, upright)\n"
+      "tests/a_test.lua:4:50: error: robot has no field 'fallen'\n"
+      "tests/a_test.lua:4:92: error: confidence.current: expected a number, found a string\n"
+      "tests/a_test.lua:5:21: error: a: unknown state 'there' (did you mean 'here'?)\n"
+      "tests/a_test.lua:6:16: error: argument 1 of expect.state: unknown value 'c' (did you mean 'a'?)\n"
+      "tests/a_test.lua:7:18: error: argument 1 of expect.command: unknown value 'flip' (did you mean 'flip_pose'?)\n"
+      "tests/a_test.lua:8:31: error: argument 2 of expect.command: unknown value 'grantd' (did you mean 'granted'?)\n"
+      "tests/a_test.lua:9:12: error: unknown field 'form' (did you mean 'from'?)\n"
+      "tests/a_test.lua:9:29: error: to: expected a string, found a number\n"
+      "tests/a_test.lua:10:25: error: scenario: unknown value 'none'\n"
+      "tests/a_test.lua:10:40: error: seed: expected a number, found a string\n"
+      "tests/a_test.lua:11:11: error: argument 1 of advance: expected a number, found a string\n");
 }
 
 TEST_F(ScriptCheckTest, LetsAStateWithInnerLifeLastForEver) {
@@ -271,8 +273,8 @@ behavior "b" { update = function()
 end }
 )");
   EXPECT_EQ(findings(),
-            "behaviors/b.lua:3:27: error: behaviors.a.state is never 'there' (did you mean 'here'?)\n"
-            "behaviors/b.lua:3:52: error: there is no lib.steps.counts (did you mean 'count'?)\n");
+            "behaviors/b.lua:3:27: error: behaviors.a.state: unknown value 'there' (did you mean 'here'?)\n"
+            "behaviors/b.lua:3:52: error: lib.steps has no field 'counts' (did you mean 'count'?)\n");
 }
 
 TEST_F(ScriptCheckTest, KnowsTheFlagsThatStatesPublish) {
@@ -299,9 +301,9 @@ TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
   folder.write("scenarios/s.lua", "scenario \"s\" { update = function() print(truth.z) end }\n");
   folder.write("tests/a_test.lua", "test(\"x\", function() expect.stat(\"a\", \"b\") end)\n");
   EXPECT_EQ(findings(),
-            "lib/unused.lua:1:14: error: there is no 'robt' (did you mean 'robot'?)\n"
-            "scenarios/s.lua:1:48: error: there is no truth.z (did you mean 'x'?)\n"
-            "tests/a_test.lua:1:29: error: there is no expect.stat (did you mean 'state'?)\n");
+            "lib/unused.lua:1:14: error: unknown name 'robt' (did you mean 'robot'?)\n"
+            "scenarios/s.lua:1:48: error: truth has no field 'z' (did you mean 'x'?)\n"
+            "tests/a_test.lua:1:29: error: expect has no field 'stat' (did you mean 'state'?)\n");
 }
 
 TEST_F(ScriptCheckTest, TellsTwoBehaviorsOfOneName) {

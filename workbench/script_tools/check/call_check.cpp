@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls: what is called, with which arguments, and what comes of it.
+// Calls: the function that is called, its arguments and its result.
 #include <algorithm>
 #include <string_view>
 
@@ -23,13 +23,13 @@ std::string usage(const std::string& name, const FunctionSymbol& function) {
   return name + "(" + text + ")";
 }
 
-/// "argument 1 of head.look", which is that with index 0.
+/// "argument 1 of head.look" for the index 0.
 std::string argument_name(std::size_t index, const std::string& function) {
   return std::string("argument ").append(std::to_string(index + 1)).append(" of ").append(function);
 }
 
-/// Those that go through a table and do not write to it.
-bool only_looks(const std::string& function) { return function == "pairs" || function == "ipairs"; }
+/// Functions that iterate over a table without writing to it.
+bool only_reads(const std::string& function) { return function == "pairs" || function == "ipairs"; }
 
 bool is_text(const Meaning& value) { return value.literal != nullptr && value.literal->kind == LuaToken::Kind::text; }
 
@@ -59,19 +59,19 @@ Meaning ScriptReading::read_call(const Meaning& called, const syntax::Suffix& ca
     }
   }
   for (const Meaning& argument : arguments) {
-    if (called.function != nullptr && only_looks(called.name) && argument.own_table != nullptr) {
+    if (called.function != nullptr && only_reads(called.name) && argument.own_table != nullptr) {
       learned.tables[argument.own_table].is_walked = true;
     } else {
-      let_go(argument);
+      mark_open(argument);
     }
   }
   return result_of(called, *call.place, arguments);
 }
 
-/// owner:name(...): the owner is the first argument.
+/// owner:name(...) passes the owner as the first argument.
 Meaning ScriptReading::read_method_call(const Meaning& owner, const syntax::Suffix& call) {
   std::vector<Meaning> arguments = read_all(call.arguments);
-  for (const Meaning& argument : arguments) let_go(argument);
+  for (const Meaning& argument : arguments) mark_open(argument);
   Meaning method;
   const auto strings = known_.globals.fields.find("string");
   const bool is_string = unless_nil(owner.types) == kString && strings != known_.globals.fields.end();
@@ -85,7 +85,7 @@ Meaning ScriptReading::read_method_call(const Meaning& owner, const syntax::Suff
     method = field_of(is_string ? meaning_of(strings->second, "string") : owner, *call.place);
   }
   check_callable(method, *call.place);
-  let_go(owner);
+  mark_open(owner);
   arguments.insert(arguments.begin(), owner);
   return result_of(method, *call.place, arguments);
 }
@@ -98,7 +98,8 @@ Meaning ScriptReading::result_of(const Meaning& called, const LuaToken& place, c
   if (function == nullptr) return result;
   if (function->acts) {
     frames_.back().learned.acts = true;
-    if (in_condition_) note(place, called.name + " acts, and a condition only looks: call it in enter, update or exit");
+    if (in_condition_)
+      note(place, called.name + " has an effect, which a condition must not have: call it in enter, update or exit");
   }
   check_arguments(called, *function, place, arguments);
   if (called.function != nullptr && called.name == "string.format") check_format(place, arguments);
@@ -130,7 +131,7 @@ void ScriptReading::check_arguments(const Meaning& called, const FunctionSymbol&
   const std::string who = called.name.empty() ? "this function" : called.name;
   const std::vector<ArgumentSymbol>& wanted = function.arguments;
   if (arguments.size() > wanted.size() && !function.more) {
-    note(place, who + " takes " + count_text(wanted.size()) + ", not " + std::to_string(arguments.size()) + ": " +
+    note(place, who + ": expected " + count_text(wanted.size()) + ", found " + std::to_string(arguments.size()) + ": " +
                     usage(who, function));
     return;
   }
@@ -143,18 +144,19 @@ void ScriptReading::check_arguments(const Meaning& called, const FunctionSymbol&
   std::size_t needed = wanted.size();
   while (needed > 0 && wanted[needed - 1].may_be_left_out) --needed;
   if (given < needed)
-    note(place, who + " needs " + count_text(needed) + ", not " + std::to_string(given) + ": " + usage(who, function));
+    note(place,
+         who + ": expected " + count_text(needed) + ", found " + std::to_string(given) + ": " + usage(who, function));
 }
 
 void ScriptReading::check_argument(const std::string& what, const ArgumentSymbol& wanted, const Meaning& given,
                                    const LuaToken& place) {
   ValueTypes fitting = wanted.value.types | (wanted.may_be_left_out ? kNil : 0);
   if ((fitting & kNil) == 0) need(given, fitting);
-  if ((fitting & kString) != 0) fitting |= kNumber;  // Lua turns numbers into text where text is wanted
+  if ((fitting & kString) != 0) fitting |= kNumber;  // Lua converts numbers to text where it expects text
   const ValueTypes types = unless_nil(given.types);
   if ((types & fitting) == 0 && is_without_metatable(given) && !may_hold_a_number(given, fitting)) {
     note(given.literal != nullptr ? *given.literal : place,
-         what + " is " + with_article(wanted.value.types) + ", not " + with_article(types));
+         what + ": expected " + with_article(wanted.value.types) + ", found " + with_article(types));
   } else if (wanted.value.names != nullptr && is_text(given)) {
     check_name(what, *wanted.value.names, *given.literal);
   } else if (wanted.value.table != nullptr && given.own_table != nullptr && given.name.empty()) {
@@ -162,14 +164,14 @@ void ScriptReading::check_argument(const std::string& what, const ArgumentSymbol
   }
 }
 
-/// One argument for each directive of the format, and a number where one is printed.
+/// The format needs one argument for each directive, and a number for each directive that prints a number.
 void ScriptReading::check_format(const LuaToken& place, const std::vector<Meaning>& arguments) {
   if (arguments.empty() || !is_text(arguments.front())) return;
   const std::string& format = arguments.front().literal->text;
   std::size_t wanted = 0;
   for (std::size_t at = format.find('%'); at != std::string::npos; at = format.find('%', at + 1)) {
     at = format.find_first_not_of("-+ #0123456789.", at + 1);
-    if (at == std::string::npos) break;  // Lua refuses it
+    if (at == std::string::npos) break;  // Lua rejects this format
     if (format[at] == '%') continue;
     ++wanted;
     const bool is_text_like = std::string_view("sqp").find(format[at]) != std::string_view::npos;
@@ -178,20 +180,20 @@ void ScriptReading::check_format(const LuaToken& place, const std::vector<Meanin
   }
   const std::size_t given = arguments.size() - 2 + arguments.back().most_values;
   if (given < wanted || arguments.size() - 1 > wanted)
-    note(place, "string.format needs " + count_text(wanted) + " for its format, not " +
+    note(place, "string.format: expected " + count_text(wanted) + " for this format, found " +
                     std::to_string(given < wanted ? given : arguments.size() - 1));
 }
 
-/// A text with escapes is believed.
+/// Accepts a text with escapes, because it is not decoded here.
 void ScriptReading::check_name(const std::string& what, const std::set<std::string>& names, const LuaToken& text) {
   if (names.contains(text.text) || text.text.find('\\') != std::string::npos) return;
   constexpr std::size_t kMostListed = 12;
   std::string right = hint(text.text, {names.begin(), names.end()});
-  if (right.empty() && names.size() <= kMostListed && !names.empty()) right = "; it is one of " + listed(names);
-  note(text, what + " is never '" + text.text + "'" + right);
+  if (right.empty() && names.size() <= kMostListed && !names.empty()) right = " (expected " + listed(names) + ")";
+  note(text, what + ": unknown value '" + text.text + "'" + right);
 }
 
-/// What is written into a table that is handed over, as far as it is plain.
+/// Checks the literals in a table constructor that is passed as an argument.
 void ScriptReading::check_contents(const Symbol& wanted, const Expression& table) {
   for (const syntax::Field& field : table.fields) {
     if (field.key == nullptr) continue;
@@ -205,7 +207,7 @@ void ScriptReading::check_contents(const Symbol& wanted, const Expression& table
       const Meaning value = read_literal(*field.value.token);
       if ((found->second.types & value.types) == 0) {
         note(*field.value.token,
-             name + " is " + with_article(found->second.types) + ", not " + with_article(value.types));
+             name + ": expected " + with_article(found->second.types) + ", found " + with_article(value.types));
       } else if (found->second.names != nullptr) {
         check_name(name, *found->second.names, *field.value.token);
       }
@@ -215,13 +217,13 @@ void ScriptReading::check_contents(const Symbol& wanted, const Expression& table
   }
 }
 
-/// A test may edit a script first, reload { from = ..., to = "state ..." }, so that the state is there by then.
+/// Accepts states that the test itself adds with reload { from = ..., to = "state ..." }.
 void ScriptReading::check_state(const Meaning& machine, const Meaning& path) {
   if (!is_text(machine) || !is_text(path)) return;
   const auto states = known_.states.find(machine.literal->text);
   if (states == known_.states.end() || states->second.contains(path.literal->text)) return;
   if (is_edited_in(path.literal->text)) return;
-  note(*path.literal, machine.literal->text + " has no state '" + path.literal->text + "'" +
+  note(*path.literal, machine.literal->text + ": unknown state '" + path.literal->text + "'" +
                           hint(path.literal->text, {states->second.begin(), states->second.end()}));
 }
 
@@ -235,14 +237,14 @@ bool ScriptReading::is_edited_in(const std::string& path) const {
   return false;
 }
 
-/// A read-only table of the present values, each of the type of its default.
+/// The read-only table of the current values, each with the type of its default.
 Meaning ScriptReading::declared_parameters(const Meaning& declarations) {
   Meaning values{kTable, "param"};
   const auto facts = before_.tables.find(declarations.own_table);
   if (facts == before_.tables.end() || facts->second.is_open) return values;
   TableSymbol& table = parameter_tables_.emplace_back();
   table.name = "param";
-  table.missing = "there is no param '";
+  table.missing = "unknown param '";
   for (const auto& [name, field] : facts->second.fields) {
     if (field.writes > 0) table.fields[name];
   }

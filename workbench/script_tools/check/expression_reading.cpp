@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What expressions stand for: literals, tables, names and their fields.
+// Types of expressions: literals, tables, names and their fields.
 #include <algorithm>
 
 #include "workbench/script_tools/check/script_reading.h"
@@ -71,11 +71,12 @@ Meaning ScriptReading::read_table(const Expression& expression) {
     const Meaning value = is_condition && field.value.kind == Expression::Kind::function
                               ? read_function(*field.value.function, true)
                               : read(field.value);
-    let_go(value);
+    mark_open(value);
     if (is_condition) {
       const FunctionSymbol* const function = signature_of(value);
       if (function != nullptr && function->acts && field.value.kind != Expression::Kind::function)
-        note(*field.value.token, value.name + " acts, and a condition only looks: call it in enter, update or exit");
+        note(*field.value.token,
+             value.name + " has an effect, which a condition must not have: call it in enter, update or exit");
     }
     if (field.key != nullptr) {
       write_field(table, *field.key, value);
@@ -85,7 +86,7 @@ Meaning ScriptReading::read_table(const Expression& expression) {
       if ((read(key).types & kString) != 0) learned.tables[&expression].is_open = true;
     }
   }
-  learned.tables[&expression];  // also where it is empty
+  learned.tables[&expression];  // an empty table gets an entry, too
   return table;
 }
 
@@ -117,7 +118,7 @@ Meaning ScriptReading::meaning_of(const Symbol& symbol, std::string name) const 
   return meaning;
 }
 
-/// As far as its first `count` suffixes.
+/// Reads the expression with its first `count` suffixes.
 Meaning ScriptReading::read_suffixed(const Expression& expression, std::size_t count) {
   Meaning value = read(expression.operands.front());
   for (std::size_t i = 0; i < count; ++i) {
@@ -188,7 +189,8 @@ Meaning ScriptReading::own_field_of(const Meaning& owner, const LuaToken& field)
     for (const auto& [name, known] : table->second.fields) {
       if (known.writes > 0) names.push_back(name);
     }
-    note(field, "nothing writes " + part.name + ", so it is nil" + hint(field.text, names), Finding::Severity::warning);
+    note(field, part.name + " is read but never written, so it is nil" + hint(field.text, names),
+         Finding::Severity::warning);
     return part;
   }
   part.types = found->second.types;
@@ -198,7 +200,7 @@ Meaning ScriptReading::own_field_of(const Meaning& owner, const LuaToken& field)
 
 Meaning ScriptReading::item_of(const Meaning& owner, const Expression& key_expression) {
   const Meaning key = read(key_expression);
-  let_go(key);
+  mark_open(key);
   const bool is_name = key.literal != nullptr && key.literal->kind == LuaToken::Kind::text;
   if (is_name && (owner.table != nullptr || owner.own_table != nullptr)) return field_of(owner, *key.literal);
   need(owner, kTable | kString);
@@ -206,11 +208,11 @@ Meaning ScriptReading::item_of(const Meaning& owner, const Expression& key_expre
   const ValueTypes types = unless_nil(owner.types);
   if ((types & (kTable | kString)) == 0)
     note(*key_expression.token,
-         (owner.name.empty() ? "this" : owner.name) + " is " + with_article(types) + " and has no items");
+         (owner.name.empty() ? "this" : owner.name) + " is " + with_article(types) + " and cannot be indexed");
   return {};
 }
 
-/// With one, a table can stand for a number, a text or a function.
+/// A table with a metatable may be used as a number, a text or a function.
 bool ScriptReading::is_without_metatable(const Meaning& value) const {
   if (!uses_metatables_ || (value.types & kTable) == 0 || value.table != nullptr) return true;
   const auto own = before_.tables.find(value.own_table);

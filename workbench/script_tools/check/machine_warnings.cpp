@@ -7,12 +7,13 @@
 namespace reorient {
 namespace {
 
-/// Its target is active whenever it could be taken.
-bool is_never_taken(const MachineDefinition& machine, const TransitionDefinition& way) {
-  return machine.is_within(way.from, way.to) && (way.from != way.to || way.common);
+/// Its target is already active whenever it could be taken.
+bool is_never_taken(const MachineDefinition& machine, const TransitionDefinition& transition) {
+  return machine.is_within(transition.from, transition.to) && (transition.from != transition.to || transition.common);
 }
 
-/// Which states can be active. One that is entered goes on to its initial state; one around it is only active with it.
+/// States that can become active. A state that is entered activates its initial state; a parent is active with its
+/// child.
 std::vector<bool> reached_states(const MachineDefinition& machine) {
   std::vector<bool> active(machine.states.size(), false);
   std::vector<bool> entered(machine.states.size(), false);
@@ -26,20 +27,21 @@ std::vector<bool> reached_states(const MachineDefinition& machine) {
     for (int state = target; state >= 0 && !active[state]; state = machine.states[state].parent) {
       active[state] = true;
       for (const int index : machine.states[state].transitions) {
-        const TransitionDefinition& way = machine.transitions[index];
-        if (!is_never_taken(machine, way)) next.push_back(way.to);
+        const TransitionDefinition& transition = machine.transitions[index];
+        if (!is_never_taken(machine, transition)) next.push_back(transition.to);
       }
     }
   }
   return active;
 }
 
-/// Its own transitions, those of the states around it and those of the states in it may all lead out of it.
-bool has_way_out(const MachineDefinition& machine, int state) {
-  return std::any_of(machine.transitions.begin(), machine.transitions.end(), [&](const TransitionDefinition& way) {
-    return (machine.is_within(state, way.from) || machine.is_within(way.from, state)) &&
-           !machine.is_within(way.to, state) && !is_never_taken(machine, way);
-  });
+/// Transitions of the state, of its parents and of its children may leave it.
+bool has_exit(const MachineDefinition& machine, int state) {
+  return std::any_of(
+      machine.transitions.begin(), machine.transitions.end(), [&](const TransitionDefinition& transition) {
+        return (machine.is_within(state, transition.from) || machine.is_within(transition.from, state)) &&
+               !machine.is_within(transition.to, state) && !is_never_taken(machine, transition);
+      });
 }
 
 }  // namespace
@@ -47,11 +49,12 @@ bool has_way_out(const MachineDefinition& machine, int state) {
 std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine) {
   const std::vector<bool> reached = reached_states(machine);
   std::vector<DeclarationError> found;
-  // Mostly a copy that kept its name. Command lines name the file, other scripts and recordings the machine.
+  // Usually a copied file whose machine was not renamed. Command lines use the name of the file; other scripts and
+  // recordings use the name of the machine.
   if (const std::string stem = std::filesystem::path(machine.file).stem().string(); stem != machine.name) {
     found.push_back({machine.position,
-                     "this " + std::string(machine.is_scenario ? "scenario" : "behavior") + " is called '" +
-                         machine.name + "' and its file '" + stem + "'; one name for both",
+                     std::string(machine.is_scenario ? "scenario" : "behavior") + " '" + machine.name +
+                         "' is declared in a file with the name '" + stem + "' (expected the same name)",
                      machine.file});
   }
   for (std::size_t i = 1; i < machine.states.size(); ++i) {
@@ -59,17 +62,17 @@ std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine)
     if (!reached[i]) {
       found.push_back({state.position, "state '" + state.path + "' is never reached", state.file});
     } else if (!machine.is_scenario && state.children.empty() && machine.states[state.parent].children.size() > 1 &&
-               !has_way_out(machine, static_cast<int>(i))) {
-      found.push_back({state.position, "state '" + state.path + "' has no way out", state.file});
+               !has_exit(machine, static_cast<int>(i))) {
+      found.push_back({state.position, "no transition leaves state '" + state.path + "'", state.file});
     }
   }
-  for (const TransitionDefinition& way : machine.transitions) {
-    if (!is_never_taken(machine, way)) continue;
-    const std::string& target = machine.states[way.to].path;
-    found.push_back({way.position,
-                     "the transition to '" + way.target + "' is never taken: '" + target +
-                         "' is active all the while; name a state in it, or one beside it",
-                     machine.states[way.from].file});
+  for (const TransitionDefinition& transition : machine.transitions) {
+    if (!is_never_taken(machine, transition)) continue;
+    const std::string& target = machine.states[transition.to].path;
+    found.push_back({transition.position,
+                     "the transition to '" + transition.target + "' is never taken: '" + target +
+                         "' is already active (expected a target inside or outside of it)",
+                     machine.states[transition.from].file});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& left, const auto& right) { return is_before(left.position, right.position); });

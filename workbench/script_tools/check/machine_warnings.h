@@ -8,9 +8,9 @@
 
 namespace reorient {
 
-/// A name other than its file's, the states that no path of transitions reaches, the innermost states of behaviors
-/// without a way out (in a scenario such a state is the end, which gives the verdict), and transitions into a state
-/// around their own, which are never taken. In the order of the text.
+/// Warns of a name different from the file's, of states that no path of transitions reaches, of innermost states of
+/// behaviors that no transition leaves (in a scenario, such a state is the end with the verdict), and of transitions to
+/// a parent of their state, which are never taken. In the order of the text.
 std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operators: what they take, and comparisons that can never hold.
+// Operators: the types of their operands, and comparisons that can never be true.
 #include <string_view>
 
 #include "workbench/script_tools/check/script_reading.h"
@@ -9,7 +9,7 @@ namespace {
 
 using syntax::Expression;
 
-/// As messages call a value.
+/// The value's name in messages.
 std::string subject(const Meaning& value) {
   if (!value.name.empty()) return value.name;
   if (value.literal == nullptr) return "this";
@@ -37,7 +37,7 @@ void ScriptReading::want(const Meaning& value, ValueTypes wanted, const LuaToken
                   (is_uncalled ? ": call it, " + value.name + "()" : ""));
 }
 
-/// Lua reads a number out of a text where it wants one; of texts that are written down that is asked too much.
+/// Lua converts a text to a number if it needs one. A literal or a named value as a number is still reported.
 bool ScriptReading::may_hold_a_number(const Meaning& value, ValueTypes wanted) {
   const bool is_any_text = value.literal == nullptr && value.names == nullptr;
   return (wanted & kNumber) != 0 && (value.types & kString) != 0 && is_any_text;
@@ -74,17 +74,17 @@ Meaning ScriptReading::read_operation(const Expression& expression) {
   return {joins ? kString : kNumber};
 }
 
-/// What stands behind `and` and `or` is perhaps not looked at.
+/// The operands after `and` and `or` may not be evaluated.
 Meaning ScriptReading::read_logic(const Expression& expression) {
   const bool is_and = expression.operators.front()->text == "and";
   Meaning value = read(expression.operands.front());
-  let_go(value);
+  mark_open(value);
   ValueTypes types = value.types;
   for (std::size_t i = 1; i < expression.operands.size(); ++i) {
     check_truth(value, *expression.operands[i - 1].token);
-    const Perhaps perhaps(*this);
+    const Uncertain uncertain(*this);
     value = read(expression.operands[i]);
-    let_go(value);
+    mark_open(value);
     types = (is_and ? types & kFalsy : types & ~kFalsy) | value.types;
   }
   if (!is_logic(expression.operands.back())) end_of_logic_ = value;
@@ -141,7 +141,7 @@ void ScriptReading::compare_order(const LuaToken& place, const Meaning& left, co
 
 void ScriptReading::read_condition(const Expression& expression) { check_condition(expression, read(expression)); }
 
-/// Also of `a() and b`, which is b in the end.
+/// Also checks the last operand of `a() and b`, because it may be the result.
 void ScriptReading::check_condition(const Expression& expression, const Meaning& value) {
   check_truth(value, *expression.token);
   const Expression* last = &expression;
@@ -150,7 +150,7 @@ void ScriptReading::check_condition(const Expression& expression, const Meaning&
 }
 
 void ScriptReading::check_truth(const Meaning& value, const LuaToken& place) {
-  // Of functions that are not the script's or a module's, it may ask whether they are there.
+  // A script may test whether a function exists that neither it nor a module defines.
   const bool is_of_scripts =
       value.own_function != nullptr || known_.modules.contains(value.name.substr(0, value.name.rfind('.')));
   if (value.types != kFunction || !is_of_scripts || value.name.empty()) return;

@@ -64,11 +64,11 @@ class ScriptCheck {
     for (const std::string& scenario : texts_.in_folder("scenarios")) load_with_behaviors(scenario);
     declared_.behavior_scripts = names_of_scripts("behaviors");
     declared_.scenario_scripts = names_of_scripts("scenarios");
-    // Libraries first: others call their functions.
-    for (const std::string& file : texts_.in_folder("lib")) look_at_library(file);
-    for (const std::string& file : texts_.in_folder("behaviors")) look_at_text(file, ScriptRole::behavior);
-    for (const std::string& file : texts_.in_folder("scenarios")) look_at_text(file, ScriptRole::scenario);
-    for (const std::string& file : tests_in(root_)) look_at_text(file, ScriptRole::test);
+    // Libraries come first because the other scripts call their functions.
+    for (const std::string& file : texts_.in_folder("lib")) check_library(file);
+    for (const std::string& file : texts_.in_folder("behaviors")) check_script_text(file, ScriptRole::behavior);
+    for (const std::string& file : texts_.in_folder("scenarios")) check_script_text(file, ScriptRole::scenario);
+    for (const std::string& file : tests_in(root_)) check_script_text(file, ScriptRole::test);
     std::vector<Finding>& all = result_.findings;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
     // A behavior that several scenarios load is reported once.
@@ -83,7 +83,7 @@ class ScriptCheck {
       result_.findings.push_back({Severity::error, fault.file, {fault.line, fault.column}, fault.message});
   }
 
-  /// By which they can be loaded: "paper/paper_orientation", "behaviors/paper/paper_orientation.lua".
+  /// Names under which they can be loaded: "paper/paper_orientation", "behaviors/paper/paper_orientation.lua".
   std::set<std::string> names_of_scripts(const std::string& folder) const {
     std::set<std::string> names;
     for (const std::string& file : texts_.in_folder(folder)) {
@@ -137,7 +137,7 @@ class ScriptCheck {
       }
     }
     for (auto& [module, fields] : host.module_fields()) {
-      auto table = std::make_shared<TableSymbol>(TableSymbol{module, "there is no " + module + ".", {}, false});
+      auto table = std::make_shared<TableSymbol>(TableSymbol{module, module + " has no field '", {}, false});
       for (const std::string& field : fields) table->fields[field];
       modules_[module] = std::move(table);
     }
@@ -147,33 +147,33 @@ class ScriptCheck {
     for (const Parameter& parameter : parameters.list()) declared_.parameters.insert(parameter.name);
   }
 
-  /// After the libraries that it requires itself.
-  void look_at_library(const std::string& file) {
+  /// Checks the libraries that it requires first.
+  void check_library(const std::string& file) {
     const ScriptText* const text = texts_.find(file);
-    if (text == nullptr || !looked_at_.insert(file).second) return;
+    if (text == nullptr || !checked_libraries_.insert(file).second) return;
     for (const LuaToken& token : lua_tokens(text->text)) {
-      if (token.kind == LuaToken::Kind::text && modules_.contains(token.text)) look_at_library(file_of(token.text));
+      if (token.kind == LuaToken::Kind::text && modules_.contains(token.text)) check_library(file_of(token.text));
     }
-    look_at_text(file, ScriptRole::library);
+    check_script_text(file, ScriptRole::library);
   }
 
-  void look_at_text(const std::string& file, ScriptRole role) {
+  void check_script_text(const std::string& file, ScriptRole role) {
     ++result_.files;
     const std::optional<std::string> text = text_of(file, role);
     if (!text) {
-      // The loader has said so of what it met.
+      // The loader has already reported the scripts that it tried to read.
       const bool is_loaded_before = role == ScriptRole::behavior || role == ScriptRole::scenario;
       if (!is_loaded_before) result_.findings.push_back({Severity::error, file, {}, "this script cannot be read"});
       return;
     }
     Sandbox sandbox{ScriptLimits{}};
     if (std::optional<ScriptFault> fault = sandbox.compile(*text, file)) {
-      // As the loader tells it, which may have met the file as well: then it is told once.
+      // Same wording as the loader's, so that an error that the loader also found is listed once.
       const int column = SourceLocations(*text).column_of_syntax_error(fault->message, fault->line);
       result_.findings.push_back({Severity::error, file, {fault->line, column}, fault->message});
       return;
     }
-    // Where a script cannot be loaded, there may be other names than these. Only tests name scenarios.
+    // If a script cannot be loaded, names may be missing. Only tests name scenarios.
     const bool knows_all = knows_behaviors_ && (knows_scenarios_ || role != ScriptRole::test);
     SymbolTable known = symbol_table(role, knows_all ? std::optional(declared_) : std::nullopt);
     for (const auto& [module, table] : modules_) {
@@ -189,7 +189,7 @@ class ScriptCheck {
     if (role == ScriptRole::library) take_in(module_name(file), check.functions);
   }
 
-  /// What a library's text says of its functions.
+  /// Types of a library's functions, from its text.
   void take_in(const std::string& module, const std::map<std::string, FunctionSymbol>& functions) {
     const auto found = modules_.find(module);
     if (found == modules_.end()) return;
@@ -201,7 +201,7 @@ class ScriptCheck {
   }
 
   std::optional<std::string> text_of(const std::string& file, ScriptRole role) const {
-    if (role == ScriptRole::test) return read_whole_file(root_ / file);  // of any length
+    if (role == ScriptRole::test) return read_whole_file(root_ / file);  // no limit of its size
     const ScriptText* const text = texts_.find(file);
     return text != nullptr && text->problem.empty() ? std::optional(text->text) : std::nullopt;
   }
@@ -209,25 +209,25 @@ class ScriptCheck {
   std::filesystem::path root_;
   ScriptTexts texts_;
   CoreParameters core_;
-  ParameterRegistry core_parameters_;  ///< with the engine's own: scripts must not take their names
+  ParameterRegistry core_parameters_;  ///< the engine's, whose names scripts must not use
   DeclaredNames declared_;
-  bool knows_behaviors_ = true;  ///< all could be loaded
+  bool knows_behaviors_ = true;  ///< all files could be loaded
   bool knows_scenarios_ = true;
   std::map<std::string, std::shared_ptr<TableSymbol>> modules_;
-  std::set<std::string> looked_at_;  ///< libraries
+  std::set<std::string> checked_libraries_;
   CheckResult result_;
 };
 
-/// From the root; throws where the path is not below it.
+/// The path relative to the root. Throws if it is not below the root.
 std::string below(const std::filesystem::path& root, const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw std::runtime_error(path.string() + ": file or folder not found");
   if (!std::filesystem::is_directory(path, error) && path.extension() != kExtension)
-    throw std::runtime_error(path.string() + ": not a script (expected a folder or a file *" + std::string(kExtension) +
-                             ")");
+    throw std::runtime_error(path.string() + ": expected a folder or a file *" + std::string(kExtension));
   const std::optional<std::string> relative = path_below(root, path);
   if (!relative)
-    throw std::runtime_error(path.string() + " is not below " + root.string() + "; name its root with --scripts");
+    throw std::runtime_error(path.string() + ": expected a path below " + root.string() +
+                             " (set the scripts' root with --scripts)");
   return *relative;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statements, and what is declared by them.
+// Statements and their declarations.
 #include "workbench/script_tools/check/script_reading.h"
 
 #include <algorithm>
@@ -12,14 +12,14 @@ namespace {
 using syntax::Expression;
 using syntax::Statement;
 
-/// Whether what stands behind it may not be reached. Functions in it are their own business.
+/// Whether the statements after it may not be reached. A `return` inside a nested function does not count.
 bool may_leave(const Statement& statement) {
   if (statement.kind == Statement::Kind::give || statement.kind == Statement::Kind::leave) return true;
   return std::any_of(statement.blocks.begin(), statement.blocks.end(),
                      [](const syntax::Block& block) { return std::any_of(block.begin(), block.end(), may_leave); });
 }
 
-/// Of the expression at `index` of a list; the last one may stand for several values.
+/// Meaning of the value at `index` of a list. The last expression may give several values.
 Meaning value_at(const std::vector<Meaning>& values, std::size_t index) {
   if (index < values.size()) return values[index];
   if (!values.empty() && index < values.size() - 1 + values.back().most_values) return {};
@@ -35,7 +35,7 @@ void ScriptReading::read() {
                      });
   frames_.emplace_back();
   read_scope(script_.body);
-  for (const auto& table : learned.tables) tell_unread_fields(table.second);
+  for (const auto& table : learned.tables) report_unread_fields(table.second);
   std::stable_sort(findings.begin(), findings.end(),
                    [](const auto& left, const auto& right) { return is_before(left.position, right.position); });
 }
@@ -91,7 +91,7 @@ void ScriptReading::read_function_statement(const Statement& statement) {
   Meaning function{kFunction};
   function.own_function = statement.function.get();
   if (statement.kind == Statement::Kind::local_function) {
-    // Its body knows it already.
+    // The body may use the name, so declare it first.
     if (!statement.names.empty()) declare(statement.names.front(), function);
     read_function(*statement.function, false);
     return;
@@ -136,10 +136,10 @@ void ScriptReading::read_assignment(const Statement& statement) {
   for (std::size_t i = 0; i < statement.targets.size(); ++i) assign(statement.targets[i], value_at(values, i));
 }
 
-/// The last name or field of the target is written, what stands before it is read.
+/// Writes the last name or field of the target and reads everything before it.
 void ScriptReading::assign(const Expression& target, const Meaning& value) {
   if (target.kind == Expression::Kind::name) return assign_name(*target.token, value);
-  let_go(value);
+  mark_open(value);
   if (target.kind != Expression::Kind::suffixed) return;
   const Meaning owner = read_suffixed(target, target.suffixes.size() - 1);
   const syntax::Suffix& last = target.suffixes.back();
@@ -152,14 +152,14 @@ void ScriptReading::assign(const Expression& target, const Meaning& value) {
 }
 
 void ScriptReading::assign_name(const LuaToken& name, const Meaning& value) {
-  let_go(value);
+  mark_open(value);
   if (const Local* const local = find_local(name.text)) {
     learned.assigned[local->declaration] |= value.types;
   } else if (known_.globals.fields.contains(name.text)) {
     note(name, "'" + name.text + "' is read-only");
   } else {
-    note(name, "'" + name.text + "' would be a global variable, which no reload keeps: write 'local " + name.text +
-                   "', or keep { } for memory");
+    note(name, "unknown variable '" + name.text + "': write 'local " + name.text +
+                   "', or keep { } for values that survive a reload");
   }
 }
 
@@ -176,13 +176,13 @@ void ScriptReading::write_field(const Meaning& owner, const LuaToken& field, con
 void ScriptReading::read_branch(const Statement& statement) {
   for (std::size_t i = 0; i < statement.blocks.size(); ++i) {
     if (i == 0) read_condition(statement.values.front());
-    const Perhaps perhaps(*this);
+    const Uncertain uncertain(*this);
     if (i > 0 && i < statement.values.size()) read_condition(statement.values[i]);
     read_scope(statement.blocks[i]);
   }
 }
 
-/// `until` sees the locals of the block.
+/// The condition after `until` can use the locals of the block.
 void ScriptReading::read_loop(const Statement& statement) {
   scopes_.emplace_back();
   if (statement.tests_at_end) {
@@ -190,7 +190,7 @@ void ScriptReading::read_loop(const Statement& statement) {
     if (!statement.values.empty()) read_condition(statement.values.front());
   } else {
     read_condition(statement.values.front());
-    const Perhaps perhaps(*this);
+    const Uncertain uncertain(*this);
     read_block(statement.blocks.front());
   }
   scopes_.pop_back();
@@ -204,7 +204,7 @@ void ScriptReading::read_for(const Statement& statement) {
   }
   scopes_.emplace_back();
   for (const LuaToken* const name : statement.names) declare(name, {counts ? kNumber : kAnything});
-  const Perhaps perhaps(*this);
+  const Uncertain uncertain(*this);
   read_block(statement.blocks.front());
   scopes_.pop_back();
 }
@@ -221,21 +221,21 @@ void ScriptReading::read_return(const Statement& statement) {
       learned.returned = value.own_table;
       learned.tables[value.own_table].is_walked = true;
     } else {
-      let_go(value);
+      mark_open(value);
     }
   }
   if (statement.values.empty()) frame.learned.result |= kNil;
   frame.learned.most_results = std::max(frame.learned.most_results, most_given);
 }
 
-/// A local that is written again stands for whatever it is given.
+/// A local that is assigned several times may have the types of all its values.
 void ScriptReading::declare(const LuaToken* name, Meaning meaning) {
   meaning.literal = nullptr;
   meaning.most_values = 1;
   if (meaning.types == kNil) meaning.types = kAnything;  // code may write a value later
   if (const auto found = before_.assigned.find(name); found != before_.assigned.end()) {
     learned.assigned[name] |= meaning.types;
-    let_go(meaning);
+    mark_open(meaning);
     meaning = Meaning{found->second};
   }
   if (meaning.name.empty()) meaning.name = name->text;
@@ -251,9 +251,9 @@ ScriptReading::Local* ScriptReading::find_local(std::string_view name) {
   return nullptr;
 }
 
-/// A field that nothing reads, like one that is read: `memory.lokos = 1` after `keep { looks = 0 }`, or the other way
-/// round. Of two fields that the constructor writes none is a slip of the other.
-void ScriptReading::tell_unread_fields(const TableFacts& table) {
+/// Reports a field that is never read if its name is similar to one that is read: `memory.lokos = 1` after
+/// `keep { looks = 0 }`, or vice versa. Two fields of the constructor are never taken for a misspelling of each other.
+void ScriptReading::report_unread_fields(const TableFacts& table) {
   if (table.is_open || table.is_walked) return;
   std::vector<std::string> declared;
   std::vector<std::string> undeclared;
@@ -264,18 +264,18 @@ void ScriptReading::tell_unread_fields(const TableFacts& table) {
     const std::vector<std::string>& others = field.is_declared ? undeclared : declared;
     if (field.is_read || others.empty()) continue;
     if (const std::string right = hint(name, others); !right.empty())
-      note(*field.place, std::string("nothing reads '").append(name).append("'").append(right),
+      note(*field.place, std::string("'").append(name).append("' is written but never read").append(right),
            Finding::Severity::warning);
   }
 }
 
-/// The parameter of the innermost function has to be there, and to be one of these.
+/// If the value is a parameter of the innermost function: it is required, and must have one of these types.
 void ScriptReading::need(const Meaning& value, ValueTypes wanted) {
   Frame& frame = frames_.back();
   if (value.parameter == nullptr || frame.function == nullptr || !frame.is_certain) return;
   const std::vector<const LuaToken*>& names = frame.function->parameters;
   const auto found = std::find(names.begin(), names.end(), value.parameter);
-  if (found == names.end()) return;  // of a function around it
+  if (found == names.end()) return;  // a parameter of an outer function
   const std::size_t index = static_cast<std::size_t>(found - names.begin()) + (frame.function->has_self ? 1 : 0);
   ArgumentSymbol& argument = frame.learned.arguments[index];
   argument.may_be_left_out = false;
@@ -283,8 +283,8 @@ void ScriptReading::need(const Meaning& value, ValueTypes wanted) {
   argument.value.types = both != 0 ? both : kAnything;
 }
 
-/// It may be written by others from now on.
-void ScriptReading::let_go(const Meaning& value) {
+/// Code that is not followed may write to the table from now on.
+void ScriptReading::mark_open(const Meaning& value) {
   if (value.own_table != nullptr) learned.tables[value.own_table].is_open = true;
 }
 

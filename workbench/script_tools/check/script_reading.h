@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One reading of a script from top to bottom: the types of its values, and errors.
+// Reads a script once from top to bottom: the types of its values, and errors.
 #pragma once
 
 #include <deque>
@@ -20,18 +20,18 @@ struct Meaning {
 
   ValueTypes types;
   std::string name;                                ///< name in messages; may be empty
-  const TableSymbol* table = nullptr;              ///< of a table outside the script
-  const FunctionSymbol* function = nullptr;        ///< whose arguments are known
+  const TableSymbol* table = nullptr;              ///< if it is a table from outside the script
+  const FunctionSymbol* function = nullptr;        ///< if it is a function with known arguments
   const std::set<std::string>* names = nullptr;    ///< possible values of a string
-  const syntax::Expression* own_table = nullptr;   ///< the script's: its constructor
-  const syntax::Function* own_function = nullptr;  ///< the script's
-  const LuaToken* parameter = nullptr;             ///< of a function of the script: its declaration
-  const LuaToken* literal = nullptr;               ///< where it is one token: a text, a number, true, false or nil
-  std::size_t most_values = 1;                     ///< a call or ... may stand for several
+  const syntax::Expression* own_table = nullptr;   ///< if it is a table of the script: its constructor
+  const syntax::Function* own_function = nullptr;  ///< if it is a function of the script
+  const LuaToken* parameter = nullptr;             ///< if it is a parameter of a function: its declaration
+  const LuaToken* literal = nullptr;               ///< if it is one token: a text, a number, true, false or nil
+  std::size_t most_values = 1;                     ///< a call or ... may give several
 };
 
-/// Believes what `before` says, and learns the same again, so that a function below its caller is known to a
-/// second reading.
+/// Uses the facts `before` of an earlier reading and collects them again, so that a second reading knows a function
+/// that is defined after its caller.
 class ScriptReading {
  public:
   /// All must outlive the reading.
@@ -55,14 +55,14 @@ class ScriptReading {
     bool is_condition = false;
     bool is_certain = true;  ///< the current code runs whenever the function is called
   };
-  /// While it lives, what is read is done perhaps.
-  struct Perhaps {
-    explicit Perhaps(ScriptReading& owner) : frame(owner.frames_.back()), was_certain(frame.is_certain) {
+  /// While it exists, the code that is read may not be executed.
+  struct Uncertain {
+    explicit Uncertain(ScriptReading& owner) : frame(owner.frames_.back()), was_certain(frame.is_certain) {
       frame.is_certain = false;
     }
-    ~Perhaps() { frame.is_certain = was_certain; }
-    Perhaps(const Perhaps&) = delete;
-    Perhaps& operator=(const Perhaps&) = delete;
+    ~Uncertain() { frame.is_certain = was_certain; }
+    Uncertain(const Uncertain&) = delete;
+    Uncertain& operator=(const Uncertain&) = delete;
     Frame& frame;
     bool was_certain;
   };
@@ -84,7 +84,7 @@ class ScriptReading {
   Meaning read_function(const syntax::Function& function, bool is_condition);
   void declare(const LuaToken* name, Meaning meaning = {});
   Local* find_local(std::string_view name);
-  void tell_unread_fields(const TableFacts& table);
+  void report_unread_fields(const TableFacts& table);
 
   // Expressions: expression_reading.cpp.
   Meaning read(const syntax::Expression& expression);
@@ -100,7 +100,7 @@ class ScriptReading {
   Meaning own_field_of(const Meaning& owner, const LuaToken& field);
   Meaning item_of(const Meaning& owner, const syntax::Expression& key);
   Meaning meaning_of(const Symbol& symbol, std::string name) const;
-  void let_go(const Meaning& value);
+  void mark_open(const Meaning& value);
 
   // Operators: operator_check.cpp.
   Meaning read_unary(const syntax::Expression& expression);
@@ -144,11 +144,11 @@ class ScriptReading {
   const SymbolTable& known_;
   const ScriptFacts& before_;
   std::vector<std::vector<Local>> scopes_;
-  std::deque<Frame> frames_;  ///< references into it last; the first one is the script itself
+  std::deque<Frame> frames_;  ///< references into it stay valid; the first one is the script itself
   std::deque<TableSymbol> parameter_tables_;
   bool uses_metatables_ = true;
   bool in_condition_ = false;
-  Meaning end_of_logic_;  ///< of `a and b` that was read last: b, which is what it is in the end
+  Meaning end_of_logic_;  ///< last operand of the `a and b` that was read last
   int hints_ = 0;         ///< number of hints so far
 };
 

@@ -16,10 +16,10 @@ std::shared_ptr<const std::set<std::string>> shared(std::set<std::string> names)
 }
 
 std::shared_ptr<TableSymbol> new_table(const std::string& name) {
-  return std::make_shared<TableSymbol>(TableSymbol{name, "there is no " + name + ".", {}, true});
+  return std::make_shared<TableSymbol>(TableSymbol{name, name + " has no field '", {}, true});
 }
 
-/// A text that is one of these.
+/// A text that must be one of `names`.
 Symbol one_of(std::set<std::string> names) { return {kString, nullptr, nullptr, shared(std::move(names))}; }
 
 Symbol field_symbol(const WorldField& field) {
@@ -29,7 +29,7 @@ Symbol field_symbol(const WorldField& field) {
   return symbol;
 }
 
-/// Tables are made while they are filled; then they are the globals'.
+/// Collects the tables, then moves them into the globals.
 class Vocabulary {
  public:
   explicit Vocabulary(const std::optional<DeclaredNames>& declared) : declared_(declared) {
@@ -60,8 +60,7 @@ class Vocabulary {
     }
   }
 
-  /// Which of the functions act, so that a condition must not call them: what gives nothing back is called for its
-  /// effect.
+  /// Functions without a result are called for their effect, so a condition must not call them.
   void add_language(const ScriptLanguage& language) {
     for (const WorldField& field : language.world())
       table(std::string(field.table)).fields[std::string(field.name)] = field_symbol(field);
@@ -79,7 +78,7 @@ class Vocabulary {
     Symbol published{kTable};
     if (declared_) {
       auto machines = new_table("behaviors");
-      machines->missing = "there is no behavior '";
+      machines->missing = "unknown behavior '";
       for (const auto& [name, states] : declared_->behaviors) {
         auto machine = new_table("behaviors." + name);
         machine->fields = {{"state", one_of(states)}, {"time_in_state", {kNumber}}};
@@ -119,7 +118,7 @@ class Vocabulary {
     owner.fields[name] = {kFunction, nullptr, std::make_shared<const FunctionSymbol>(std::move(function))};
   }
 
-  /// Of a function, or "math.pi: number".
+  /// Takes the signature of a function, or "math.pi: number".
   void add_signature(std::string_view text) {
     if (text.find('(') != std::string_view::npos) {
       const Signature signature = read_signature(text);
@@ -132,9 +131,9 @@ class Vocabulary {
         symbol_of_type(text.substr(colon + 1), named_);
   }
 
-  /// What `set_world` takes: any of the tables with any of their fields.
+  /// The argument of `set_world`: any of the tables with any of their fields.
   static Symbol world_changes() {
-    auto world = std::make_shared<TableSymbol>(TableSymbol{"the world", "the world has no table '", {}, true});
+    auto world = std::make_shared<TableSymbol>(TableSymbol{"the world", "unknown world table '", {}, true});
     std::map<std::string_view, std::shared_ptr<TableSymbol>> tables;
     const ScenarioLanguage language;
     for (const WorldField& field : language.world()) {
@@ -149,7 +148,7 @@ class Vocabulary {
   const std::optional<DeclaredNames>& declared_;
   NamedTypes named_;
   std::vector<FormerTable> former_;
-  TableSymbol globals_{"", "there is no '", {}, true};
+  TableSymbol globals_{"", "unknown name '", {}, true};
   std::map<std::string, std::shared_ptr<TableSymbol>> tables_;
   std::map<std::string, std::set<std::string>> states_;
 };
@@ -167,7 +166,7 @@ SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& de
   known.add_machines();
   if (role == ScriptRole::behavior) known.forget("scenario");
   if (role == ScriptRole::scenario) known.forget("behavior");
-  // A library serves both: what only one of them has is known there too.
+  // Behaviors and scenarios may both load a library, so it knows the names of both.
   if (role != ScriptRole::scenario) known.add_language(BehaviorLanguage());
   if (role != ScriptRole::behavior) known.add_language(ScenarioLanguage());
   return known.take();

@@ -22,12 +22,12 @@ struct Symbol {
   std::shared_ptr<const TableSymbol> table = nullptr;
   std::shared_ptr<const FunctionSymbol> function = nullptr;
   std::shared_ptr<const std::set<std::string>> names = nullptr;  ///< possible values of a string
-  std::string replacement = {};                                  ///< of a former name: what to use instead
+  std::string replacement = {};                                  ///< the present name, if this is a former one
 };
 
 struct TableSymbol {
   std::string name;                      ///< name in messages: "robot", "lib.walk"
-  std::string missing;                   ///< start of the message for a missing field: "there is no behavior '"
+  std::string missing;                   ///< start of the message for an unknown field: "unknown behavior '"
   std::map<std::string, Symbol> fields;  ///< all of them
   bool is_read_only = true;
 };
@@ -36,7 +36,7 @@ struct ArgumentSymbol {
   std::string name;
   Symbol value;
   bool may_be_left_out = false;
-  bool is_state = false;  ///< of the machine that the argument before names
+  bool is_state = false;  ///< a state of the machine in the previous argument
 };
 
 /// Any number of values.
@@ -45,30 +45,30 @@ inline constexpr std::size_t kMany = 1'000'000;
 /// A function that scripts may call.
 struct FunctionSymbol {
   std::vector<ArgumentSymbol> arguments;
-  std::optional<ArgumentSymbol> more;  ///< of "...", each
-  ValueTypes result = kAnything;       ///< the first one
+  std::optional<ArgumentSymbol> more;  ///< each argument of "..."
+  ValueTypes result = kAnything;       ///< first result
   std::size_t most_results = kMany;
-  bool acts = false;  ///< so that conditions must not call it
+  bool acts = false;  ///< it has an effect, so conditions must not call it
 };
 
 /// The declarations of the scripts of a folder.
 struct DeclaredNames {
   /// Paths of the states of each machine.
   std::map<std::string, std::set<std::string>> behaviors, scenarios;
-  std::set<std::string> published;  ///< by some state
+  std::set<std::string> published;  ///< flags that some state publishes
   std::set<std::string> parameters;
-  std::set<std::string> behavior_scripts, scenario_scripts;  ///< by which they can be loaded
+  std::set<std::string> behavior_scripts, scenario_scripts;  ///< names under which they can be loaded
 };
 
 struct SymbolTable {
-  TableSymbol globals;                                  ///< tables, functions, the words of the language
-  std::map<std::string, Symbol> modules;                ///< by what `require` takes
-  std::map<std::string, std::set<std::string>> states;  ///< of each machine that there is
-  bool modules_use_metatables = false;                  ///< so that a table of theirs can stand for a number
+  TableSymbol globals;                                  ///< tables, functions, keywords of the language
+  std::map<std::string, Symbol> modules;                ///< by the argument of `require`
+  std::map<std::string, std::set<std::string>> states;  ///< of each machine
+  bool modules_use_metatables = false;                  ///< so their tables may be used as numbers
 };
 
-/// The bindings' and the library's part of it; scenarios may name more than behaviors, tests their own words.
-/// `declared`: nothing where it is not known what else there is.
+/// The names of the bindings and of Lua's library. Scenarios know more names than behaviors; tests have their own.
+/// `declared`: empty if the names that other scripts declare are not known.
 enum class ScriptRole { behavior, scenario, library, test };
 SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& declared);
 

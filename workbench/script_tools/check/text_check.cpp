@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-/// What a module's functions take, as its own text says.
+/// Signatures of a module's functions, from its text.
 std::map<std::string, FunctionSymbol> returned_functions(const ScriptFacts& facts) {
   std::map<std::string, FunctionSymbol> functions;
   const auto table = facts.tables.find(facts.returned);
@@ -20,8 +20,8 @@ std::map<std::string, FunctionSymbol> returned_functions(const ScriptFacts& fact
 
 }  // namespace
 
-/// The first reading learns which locals are written again, the second what the rest is, believing nothing; the third
-/// knows better, since it believes the second; the fourth tells.
+/// The first reading finds the locals that are assigned several times. The second finds all other types without any
+/// assumption. The third refines them with the results of the second, and the fourth reports the findings.
 TextCheck check_text(std::string_view text, const SymbolTable& known) {
   const syntax::Script script = syntax::read_script(text);
   ScriptFacts facts;

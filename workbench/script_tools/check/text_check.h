@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds slips in the text of a script without running it: names that do not exist, values of a wrong type, calls with
-// wrong arguments, commands in conditions, writing to what is read-only.
+// Finds mistakes in the text of a script without running it: unknown names, values of a wrong type, calls with wrong
+// arguments, commands in conditions, writing to read-only values.
 #pragma once
 
 #include <map>
@@ -15,12 +15,12 @@ namespace reorient {
 
 struct TextCheck {
   std::vector<Finding> findings;  ///< without their file, in the order of the text
-  /// What is known of the functions in the table that the script returns, where it returns one.
+  /// Signatures of the functions in the table that the script returns, if it returns one.
   std::map<std::string, FunctionSymbol> functions;
 };
 
-/// `text` must be valid Lua. Follows values as far as the text says plainly what they are: the world, a `param` or
-/// `keep` table, a module, the script's own tables and functions; what it cannot follow it believes.
+/// `text` must be valid Lua. Follows values whose type the text determines: the world, a `param` or `keep` table, a
+/// module, the script's own tables and functions. Values that it cannot follow are accepted.
 TextCheck check_text(std::string_view text, const SymbolTable& known);
 
 }  // namespace reorient

@@ -6,10 +6,10 @@
 namespace reorient {
 namespace {
 
-/// "{ from: string, file: string? }": each field may have a value of its type, and there are no others.
+/// "{ from: string, file: string? }": a table with only these fields, each optional and of its type.
 Symbol record(std::string_view type, const NamedTypes& named) {
   auto table = std::make_shared<TableSymbol>();
-  table->missing = "there is no '";
+  table->missing = "unknown field '";
   for (const std::string_view field : split_type(type.substr(1, type.size() - 2), ',')) {
     const std::size_t colon = field.find(':');
     if (colon == std::string_view::npos) return {kTable};  // {} and the like

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the types in signatures to what the check knows of values.
+// Converts the types in signatures to symbols of the check.
 #pragma once
 
 #include <map>
@@ -11,11 +11,11 @@
 
 namespace reorient {
 
-/// Types that have a name of their own: "reorient.Verdict".
+/// Types with their own name: "reorient.Verdict".
 using NamedTypes = std::map<std::string, Symbol, std::less<>>;
 
-/// "number", "string|nil", "table<string, any>", "{ from: string, file: string? }", "fun()", "reorient.Verdict"; of an
-/// unknown type anything.
+/// Accepts "number", "string|nil", "table<string, any>", "{ from: string, file: string? }", "fun()" and
+/// "reorient.Verdict". An unknown type matches every value.
 Symbol symbol_of_type(std::string_view type, const NamedTypes& named);
 
 FunctionSymbol symbol_of_function(const Signature& signature, const NamedTypes& named);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which types a value of a script may have, as far as that is known.
+// The types that a value of a script may have, as far as they are known.
 #pragma once
 
 #include <string>
 
 namespace reorient {
 
-/// A set of these: several where it may be one or another.
+/// A set of types that the value may have.
 using ValueTypes = unsigned;
 
 inline constexpr ValueTypes kNil = 1;
@@ -20,10 +20,10 @@ inline constexpr ValueTypes kFunction = 64;
 inline constexpr ValueTypes kAnything = 127;
 inline constexpr ValueTypes kFalsy = kNil | kFalse;
 
-/// What is there besides nil: what is nil for a moment is mostly something else when it counts.
+/// The types without nil, because a value that may be nil usually has another type when it is used.
 constexpr ValueTypes unless_nil(ValueTypes types) { return types == kNil ? kNil : types & ~kNil; }
 
-/// "number", "number or string", as messages say it.
+/// Text for messages: "number", "number or string".
 std::string in_words(ValueTypes types);
 
 /// "a number", "nil".
