@@ -301,8 +301,8 @@ TEST_F(CommandsTest, ASimulatedTestChoosesWhereItTakesPlace) {
   };
   EXPECT_EQ(result("hall_seed = 2, field = \"spl\"").code, kSuccess);
   EXPECT_NE(result("room = \"gone.hdr\"").out.find("gone.hdr' does not exist"), std::string::npos);
-  EXPECT_NE(result("hall_seed = -1").out.find("hall_seed has no value that fits"), std::string::npos);
-  EXPECT_NE(result("room = \"a.hdr\", hall_seed = 1").out.find("not both"), std::string::npos);
+  EXPECT_NE(result("hall_seed = -1").out.find("hall_seed: expected a non-negative whole number"), std::string::npos);
+  EXPECT_NE(result("room = \"a.hdr\", hall_seed = 1").out.find("found both"), std::string::npos);
 }
 
 TEST_F(CommandsTest, TestWritesAReportAndCoverage) {

@@ -75,7 +75,8 @@ test("c", function() end))");
   let_time_pass(0.1);  // so that the signal usually meets its loop; it may meet what is before
   tests.kill(GetParam());
   EXPECT_EQ(tests.wait(), 128 + GetParam());
-  EXPECT_NE(tests.out().find("1 passed, 1 failed, interrupted before the rest\n"), std::string::npos) << tests.out();
+  EXPECT_NE(tests.out().find("1 passed, 1 failed, interrupted before the remaining tests\n"), std::string::npos)
+      << tests.out();
   const std::string report = read_text(folder.path() / "junit.xml");
   EXPECT_NE(report.find("name=\"b\""), std::string::npos) << report;
   EXPECT_TRUE(report.ends_with("</testsuite>\n"));

@@ -56,7 +56,7 @@ TEST_F(ReplayingTest, PlaysTheScriptsThatThereAreNow) {
   const ProgramRun other = run_test(test);
   EXPECT_EQ(other.code, 1) << other.out;
   EXPECT_NE(other.out.find("expected command flip_pose"), std::string::npos) << other.out;
-  EXPECT_NE(other.out.find("expected the robot to act as it was recorded"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("expected the recorded actions of the robot"), std::string::npos) << other.out;
   EXPECT_NE(other.out.find("at 43.40 s"), std::string::npos) << other.out;
 }
 
@@ -85,15 +85,15 @@ TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
       {"replay \"recordings/text.mcap\"", "expected the start mark of an MCAP file, found other bytes"},
       {"replay \"recordings\"", "expected a recording, found something that is not a file"},
       {"replay(nil)", "string expected"},
-      {"replay(\"recordings/recorded_flip.mcap\\0x\")", "no file has such a name"},
-      {flip + "advance_to(42)", "this replay is at 42.9"},
+      {"replay(\"recordings/recorded_flip.mcap\\0x\")", "expected a file name without zero bytes"},
+      {flip + "advance_to(42)", "this replay is already at 42.9"},
       {flip + "advance_to(0/0)", "finite number expected"},
       {flip + "advance_to(1e300)", "the recording ends at 43.9"},
       {flip + "advance(10)", "the recording ends at 43.9"},
       {flip + "set_world { pose = { x = 1 } }", "the world of a replay is the one that was recorded"},
       {flip + "load_behavior \"patrol\"", "the world of a replay is the one that was recorded"},
       {flip + "set_param(\"orientation.hold_tme\", \"2\") advance(0)", "hold_tme"},
-      {flip + "world_value(\"pose.z\")", "the world has no 'pose.z'"},
+      {flip + "world_value(\"pose.z\")", "unknown world field 'pose.z'"},
       {flip + "expect.state(\"orientation\", \"watching/in duobt\")", "did you mean"},
       {"load_behavior \"get_up\" " + flip, "use a separate test"},
       {"advance_to(3)", "call replay \"FILE\" first"},

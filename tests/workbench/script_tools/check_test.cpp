@@ -26,7 +26,7 @@ class ScriptCheckTest : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(ScriptCheckTest, TellsAllMistakesOfADeclarationWithLineAndColumn) {
+TEST_F(ScriptCheckTest, ReportsAllMistakesOfADeclarationWithLineAndColumn) {
   folder.write("behaviors/wrong.lua", R"(local p = param { proof = { 1, range = { 0, 2 }, doc = "x" } }
 behavior "wrong" {
   initial = "watchin",
@@ -53,7 +53,7 @@ behaviors/wrong.lua:11:7: error: state 'going' leads to 'watching' without a con
 )");
 }
 
-TEST_F(ScriptCheckTest, TellsAllMistakesOfParamsAtTheirNames) {
+TEST_F(ScriptCheckTest, ReportsMistakesOfParamsAtTheirNames) {
   folder.write("behaviors/wrong.lua", R"(param {
   outside = { 3, range = { 0, 2 }, doc = "x" },
   silent  = { 1, range = { 0, 2 } },
@@ -67,7 +67,7 @@ behavior "wrong" {}
   EXPECT_NE(found.find("wrong.lua:4:3: error: param open: missing range"), std::string::npos) << found;
 }
 
-TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedAndOfThoseWithoutAWayOut) {
+TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedOrNeverLeft) {
   folder.write("behaviors/odd.lua", R"(behavior "odd" {
   initial = "one",
   state "one" { { "two", after = 1 } },
@@ -81,7 +81,7 @@ TEST_F(ScriptCheckTest, WarnsOfStatesThatAreNeverReachedAndOfThoseWithoutAWayOut
   EXPECT_EQ(check().count(Finding::Severity::error), 0);
 }
 
-TEST_F(ScriptCheckTest, WarnsOfAnInitialStateWhenEveryWayInLeadsPastIt) {
+TEST_F(ScriptCheckTest, WarnsOfAnInitialStateThatEveryTransitionBypasses) {
   folder.write("behaviors/odd.lua", R"(behavior "odd" {
   initial = "one",
   state "one" { { "two/late", after = 1 } },
@@ -102,7 +102,7 @@ TEST_F(ScriptCheckTest, WarnsOfAFormerName) {
             "behaviors/old.lua:3:62: warning: confidence.asymmetry is a former name: use confidence.separability\n");
 }
 
-TEST_F(ScriptCheckTest, WarnsOfACopyThatKeptItsName) {
+TEST_F(ScriptCheckTest, WarnsIfTheNamesOfFileAndMachineDiffer) {
   folder.write("behaviors/near/second.lua", "\nbehavior \"first\" { state \"a\" {} }\n");
   folder.write("scenarios/evening.lua", "scenario \"morning\" { state \"a\" {} }\n");
   EXPECT_EQ(findings(),
@@ -112,7 +112,7 @@ TEST_F(ScriptCheckTest, WarnsOfACopyThatKeptItsName) {
             "(expected the same name)\n");
 }
 
-TEST_F(ScriptCheckTest, WarnsOfATransitionIntoAStateAroundIt) {
+TEST_F(ScriptCheckTest, WarnsOfATransitionToItsParentState) {
   folder.write("behaviors/odd.lua", R"(behavior "odd" {
   initial = "outer",
   state "outer" {
@@ -131,12 +131,12 @@ TEST_F(ScriptCheckTest, WarnsOfATransitionIntoAStateAroundIt) {
             "active (expected a target inside or outside of it)\n");
 }
 
-TEST_F(ScriptCheckTest, KnowsThatAStateMayLeadToItself) {
+TEST_F(ScriptCheckTest, AcceptsATransitionOfAStateToItself) {
   folder.write("behaviors/again.lua", R"(behavior "again" { initial = "a", state "a" { { "a", after = 1 } } })");
   EXPECT_EQ(findings(), "");
 }
 
-TEST_F(ScriptCheckTest, KnowsWhatTheFunctionsOfALibraryTake) {
+TEST_F(ScriptCheckTest, ChecksTheArgumentsOfLibraryFunctions) {
   folder.write("lib/steps.lua", R"(local steps = {}
 function steps.clamp(value, most) return math.min(value, most) end
 function steps.go(speed, how) if how then print(how) end walk.velocity(speed, 0, 0) end
@@ -160,7 +160,7 @@ end }
       "lib.steps.clamp()\n");
 }
 
-TEST_F(ScriptCheckTest, RefusesKeysWithoutEffectForTheTypeOfAParameter) {
+TEST_F(ScriptCheckTest, RejectsKeysWithoutEffectForTheTypeOfAParameter) {
   folder.write("behaviors/odd.lua", R"(param {
   switch = { true, range = { 0, 1 }, doc = "x" },
   choice = { "a", choices = { "a" }, range = { 0, 1 }, doc = "x" },
@@ -181,7 +181,7 @@ behavior "odd" { state "a" { history = "yes" } }
   EXPECT_EQ(findings(), "behaviors/odd.lua:1:30: error: history: expected true or false\n");
 }
 
-TEST_F(ScriptCheckTest, KnowsInTestsWhatTheScriptsDeclare) {
+TEST_F(ScriptCheckTest, ChecksTestsAgainstTheDeclarationsOfTheScripts) {
   folder.write("behaviors/a.lua", R"(param { lead = { 1, range = { 0, 2 }, doc = "x" } }
 behavior "a" { initial = "here", state "here" {} }
 )");
@@ -226,7 +226,7 @@ end)
       "tests/a_test.lua:11:11: error: argument 1 of advance: expected a number, found a string\n");
 }
 
-TEST_F(ScriptCheckTest, LetsAStateWithInnerLifeLastForEver) {
+TEST_F(ScriptCheckTest, AcceptsAStateWithoutExitIfItsInnerStatesChange) {
   folder.write("behaviors/settled.lua", R"(behavior "settled" {
   initial = "young",
   state "young" { { "old", after = 1 } },
@@ -236,7 +236,7 @@ TEST_F(ScriptCheckTest, LetsAStateWithInnerLifeLastForEver) {
   EXPECT_EQ(findings(), "");
 }
 
-TEST_F(ScriptCheckTest, TakesAWayOutOfAnInnerStateAsOneOfTheOuter) {
+TEST_F(ScriptCheckTest, CountsAnExitOfAnInnerStateAsAnExitOfTheOuterState) {
   folder.write("behaviors/nested.lua", R"(behavior "nested" {
   initial = "outer",
   state "outer" { initial = "inner", state "inner" { { "other", after = 1 } } },
@@ -246,18 +246,18 @@ TEST_F(ScriptCheckTest, TakesAWayOutOfAnInnerStateAsOneOfTheOuter) {
   EXPECT_EQ(findings(), "");
 }
 
-TEST_F(ScriptCheckTest, PointsASyntaxErrorOutWithItsColumn) {
+TEST_F(ScriptCheckTest, ReportsASyntaxErrorWithItsColumn) {
   folder.write("behaviors/broken.lua", "behavior \"broken\" {\n  state \"one\" { then },\n}\n");
   EXPECT_NE(findings().find("behaviors/broken.lua:2:17: error: "), std::string::npos) << findings();
 }
 
-TEST_F(ScriptCheckTest, TellsAScriptThatIsTooLargeToBeLoadedBetweenTwoFrames) {
+TEST_F(ScriptCheckTest, ReportsAScriptThatIsTooLargeToBeLoadedBetweenTwoFrames) {
   folder.write("behaviors/large.lua", "behavior \"large\" {}" + std::string(kLargestScript, ' '));
   EXPECT_EQ(findings(),
             "behaviors/large.lua: error: this is not a plain file below the scripts' root of at most 64 KiB\n");
 }
 
-TEST_F(ScriptCheckTest, TellsABrokenLibraryOnce) {
+TEST_F(ScriptCheckTest, ReportsABrokenLibraryOnce) {
   folder.write("lib/broken.lua", "local a = {}\nfunction a.x( return 1 end\nreturn a\n");
   folder.write("behaviors/a.lua", "require \"lib.broken\"\nbehavior \"a\" {}\n");
   folder.write("behaviors/b.lua", "require \"lib.broken\"\nbehavior \"b\" {}\n");
@@ -284,7 +284,7 @@ TEST_F(ScriptCheckTest, KnowsTheFlagsThatStatesPublish) {
   EXPECT_EQ(findings(), "behaviors/b.lua:1:71: error: no state publishes 'is_her' (did you mean 'is_here'?)\n");
 }
 
-TEST_F(ScriptCheckTest, RefusesChoicesThatNoParameterFileCanHold) {
+TEST_F(ScriptCheckTest, RejectsChoicesThatAParameterFileCannotContain) {
   for (const char* choice : {"a\\nb", "\\x1b[31m", "\\xff", "\\127"}) {
     SCOPED_TRACE(choice);
     folder.write("behaviors/a.lua",
@@ -296,7 +296,7 @@ TEST_F(ScriptCheckTest, RefusesChoicesThatNoParameterFileCanHold) {
   }
 }
 
-TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
+TEST_F(ScriptCheckTest, ChecksLibrariesScenariosAndTests) {
   folder.write("lib/unused.lua", "return { x = robt }\n");
   folder.write("scenarios/s.lua", "scenario \"s\" { update = function() print(truth.z) end }\n");
   folder.write("tests/a_test.lua", "test(\"x\", function() expect.stat(\"a\", \"b\") end)\n");
@@ -306,7 +306,7 @@ TEST_F(ScriptCheckTest, LooksAtLibrariesScenariosAndTestsToo) {
             "tests/a_test.lua:1:29: error: expect has no field 'stat' (did you mean 'state'?)\n");
 }
 
-TEST_F(ScriptCheckTest, TellsTwoBehaviorsOfOneName) {
+TEST_F(ScriptCheckTest, ReportsTwoBehaviorsWithTheSameName) {
   folder.write("behaviors/a.lua", "behavior \"a\" {}\n");
   folder.write("behaviors/b.lua", "behavior \"a\" {}\n");
   EXPECT_EQ(findings(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scripted test's fake world beside the engine, fed with the same inputs: the worlds that behaviors see are the same.
+// Compares the fake world of scripted tests with the engine: for the same inputs, behaviors see the same world.
 #include "workbench/script_tools/testing/fake_world.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace reorient {
 namespace {
 
-/// Does what the team mates say.
+/// Does what the teammates request.
 constexpr std::string_view kObedient = R"(
 local function hears(word)
   for i = 1, team.heard() do if team.text(i) == word then return true end end
@@ -35,26 +35,26 @@ behavior "tested" {
     if hears("reset") then command.reset_orientation() end
   end,
   state "idle" {
-    { "untaught", when = function() return hears("pause training") end, because = "it was told to" },
-    { "blind", when = function() return hears("pause evaluation") end, because = "it was told to" },
+    { "training_paused", when = function() return hears("pause training") end, because = "by request" },
+    { "evaluation_paused", when = function() return hears("pause evaluation") end, because = "by request" },
   },
-  state "untaught" {
+  state "training_paused" {
     enter = function() command.pause_training() end,
-    { "idle", when = function() return hears("go on") end, because = "it was told to" },
+    { "idle", when = function() return hears("resume") end, because = "by request" },
   },
-  state "blind" {
+  state "evaluation_paused" {
     enter = function() command.pause_evaluation() end,
-    { "idle", when = function() return hears("go on") end, because = "it was told to" },
+    { "idle", when = function() return hears("resume") end, because = "by request" },
   },
 })";
 
-/// What follows from the rest of the world; all other fields are what is sensed.
+/// Fields that are computed from the rest of the world. All other fields are sensed.
 const std::set<std::string_view> kDerived{
     "clock.time",        "clock.step",      "clock.frame",      "robot.posture_before", "robot.posture_for",
     "robot.may_walk",    "training.active", "training.seconds", "evaluation.active",    "robot.time_since_disturbance",
     "confidence.status", "pose.known",      "confidence.age",   "confidence.can_tell"};
 
-/// A mistake in the rules of the fake world: what a test of this test seeds.
+/// A mistake that is inserted into the rules of the fake world to prove that the comparison finds it.
 enum class Fault {
   none,
   no_time_step,
@@ -69,12 +69,12 @@ enum class Fault {
   training_in_a_fall,
   training_of_an_unknown_pose,
   training_when_paused,
-  training_of_a_told_pose,
+  training_of_a_set_pose,
   evaluation_in_a_fall,
   evaluation_when_paused,
   trained_without_images,
   age_kept_by_a_lift,
-  age_kept_by_a_told_pose,
+  age_kept_by_a_set_pose,
   age_kept_by_a_jump,
   known_after_a_reset,
   age_kept_by_a_flip,
@@ -97,7 +97,7 @@ class TwoWorlds {
     if (random_.below(2) == 0) loop_.inputs.observation.upper.reset();
   }
 
-  /// The first difference, or nothing.
+  /// The first difference; empty: no difference.
   std::optional<std::string> run() {
     const std::uint64_t frames = 4 + random_.below(20);
     for (std::uint64_t i = 0; i < frames && !is_over_; ++i) {
@@ -133,7 +133,7 @@ class TwoWorlds {
     if (seldom()) external.initial_pose = InitialPose{some_pose()};
     if (seldom(20)) external.half_time = true;
     if (seldom()) external.notes.emplace_back("a note");
-    for (const char* word : {"flip", "purge", "reset", "pause training", "pause evaluation", "go on", "hello"})
+    for (const char* word : {"flip", "purge", "reset", "pause training", "pause evaluation", "resume", "hello"})
       if (seldom()) external.messages.push_back({1, word});
   }
 
@@ -198,14 +198,14 @@ class TwoWorlds {
 
     FakeSenses senses;
     if (has_begun_) senses.moved = odometry_before.inverse() * observation.odometry;
-    // A pose filter that was purged or reset does not believe exactly what the fake world does.
+    // After a purge or a reset, the belief of the pose filter is not exactly that of the fake world.
     if (was_rearranged_) senses.moved = fake_.world().pose.pose.inverse() * believed_ * senses.moved;
     believed_ = record.world.pose.pose;
     has_begun_ = true;
-    senses.is_pose_told = record.inputs.initial_pose.has_value() && fault_ != Fault::age_kept_by_a_told_pose;
+    senses.is_pose_set = record.inputs.initial_pose.has_value() && fault_ != Fault::age_kept_by_a_set_pose;
     senses.sees = observation.upper || fault_ == Fault::trained_without_images;
     age_ = record.world.confidence.age;
-    // As far as its age shows: it may also restart and come to the same value again.
+    // Detected from the age only, so a restart that reaches the same value is missed.
     const bool may_restart = record.posture_change || record.inputs.initial_pose || was_rearranged_ ||
                              record.world.referee.penalized != was_penalized_;
     senses.knows_tiles = age_ != 0.0 && (age_ != age_before || may_restart);
@@ -245,8 +245,8 @@ class TwoWorlds {
     return compare(record, world);
   }
 
-  /// What the engine has sensed. Its record has the belief and the evidence of the frame's end; a granted command has
-  /// changed both.
+  /// Sets what the engine has sensed. The record contains belief and evidence at the end of the frame, after a granted
+  /// command has changed them.
   void show(const World& world, bool is_rearranged) {
     std::vector<double> values;
     append_world(world, values);
@@ -302,7 +302,7 @@ class TwoWorlds {
       case Fault::training_of_an_unknown_pose:
         world.training = world.upright() && arbiter_.last().train;
         break;
-      case Fault::training_of_a_told_pose:
+      case Fault::training_of_a_set_pose:
         if (record.inputs.initial_pose) world.training = world.upright();
         break;
       case Fault::evaluation_in_a_fall:
@@ -325,7 +325,7 @@ class TwoWorlds {
     append_world(fake, actual);
     const std::span<const WorldField> all = world_fields();
     for (std::size_t i = 0; i < all.size(); ++i) {
-      // What a pose filter believes after a command depends on its particles.
+      // The belief of a pose filter after a command depends on its particles.
       if (record.reorientation && all[i].table == "pose" && all[i].name != "known") continue;
       const double tolerance = all[i].table == "clock" || all[i].unit == "s" ? 1e-9 : 0.0;
       if (std::abs(expected[i] - actual[i]) <= tolerance || expected[i] == actual[i]) continue;
@@ -344,10 +344,10 @@ class TwoWorlds {
   Behaviors behaviors_;
   Arbiter arbiter_;
   Pose2 external_;
-  Pose2 believed_;  // by the engine, at the end of the frame before
+  Pose2 believed_;  // by the engine, at the end of the previous frame
   bool has_begun_ = false;
   bool is_over_ = false;
-  bool was_rearranged_ = false;  // in the frame before
+  bool was_rearranged_ = false;  // in the previous frame
   bool was_penalized_ = false;
   double age_ = 0.0;
 };
@@ -361,21 +361,21 @@ void expect_equal_worlds(std::uint64_t first, std::uint64_t last) {
   }
 }
 
-TEST(FakeWorld, IsTheWorldThatTheEngineMakesOfTheSameInputs) { expect_equal_worlds(1, kSequences); }
+TEST(FakeWorld, EqualsTheWorldOfTheEngineForTheSameInputs) { expect_equal_worlds(1, kSequences); }
 
-/// The sequences up to 10^4 in parts, so that each ends within the time limit of a test on a slow machine.
+/// Runs 10^4 sequences in parts, so that each part ends within the time limit of a test on a slow machine.
 class FakeWorldForLong : public testing::TestWithParam<std::uint64_t> {};
 
 constexpr std::uint64_t kParts = 10, kSequencesOfAPart = 1'000;
 
-TEST_P(FakeWorldForLong, IsTheWorldThatTheEngineMakesOfTheSameInputs) {
+TEST_P(FakeWorldForLong, EqualsTheWorldOfTheEngineForTheSameInputs) {
   const std::uint64_t last = GetParam() * kSequencesOfAPart;
   expect_equal_worlds(std::max(last - kSequencesOfAPart, kSequences) + 1, last);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, FakeWorldForLong, testing::Range(std::uint64_t{1}, kParts + 1));
 
-TEST(FakeWorld, HasNoRuleOfItsOwn) {
+TEST(FakeWorld, FollowsTheRulesOfTheEngineOnly) {
   for (int fault = static_cast<int>(Fault::none) + 1; fault < static_cast<int>(Fault::kFaults); ++fault) {
     bool is_found = false;
     for (std::uint64_t seed = 1; seed <= kSequences && !is_found; ++seed)

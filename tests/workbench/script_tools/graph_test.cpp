@@ -76,8 +76,8 @@ TEST_F(GraphTest, IsAGraphvizDigraphWithClusters) {
 )");
 }
 
-TEST_F(GraphTest, KeepsStatesApartWhoseNamesDifferInASignOnly) {
-  load("alike", R"(behavior "alike" { initial = "a b",
+TEST_F(GraphTest, DistinguishesStatesWhoseNamesDifferInOneCharacter) {
+  load("similar", R"(behavior "similar" { initial = "a b",
   state "a b" { { "a_b", after = 1 } }, state "a_b" { { "a b", after = 1 } } })");
   const std::string text = to_mermaid({host().definitions().front(), 1});
   EXPECT_NE(text.find("state \"a b\" as a_b\n"), std::string::npos) << text;
@@ -97,7 +97,7 @@ TEST_F(GraphTest, EscapesUnprintableText) {
 
 class GraphOfSeveral : public ScriptTest {
  protected:
-  /// A machine that publishes, and one that looks: over a local function, a library, and by itself.
+  /// A machine that publishes a flag, and one that reads it: through a local function, a library, and directly.
   void load_two() {
     load("seeker", R"(behavior "seeker" {
   initial = "resting",
@@ -134,7 +134,7 @@ behavior "walker" {
   std::vector<MachineLink> links() { return machine_links(machines(), host().texts()); }
 };
 
-TEST_F(GraphOfSeveral, FindsWhereAMachineLooksAtAnother) {
+TEST_F(GraphOfSeveral, FindsWhereAMachineReadsTheStateOfAnotherMachine) {
   load_two();
   const std::map<int, std::set<Sight>> seen = sights_of(machines()[1], host().texts());
   const std::set<Sight> walking{{"", "is_searched", ""}};
@@ -143,10 +143,10 @@ TEST_F(GraphOfSeveral, FindsWhereAMachineLooksAtAnother) {
   EXPECT_EQ(seen, (std::map<int, std::set<Sight>>{{1, walking}, {2, waiting}, {3, down}}));
 }
 
-TEST_F(GraphOfSeveral, LeavesFieldsStringsAndCommentsOfTheSameNamesAlone) {
-  load("blind", R"(local t = { published = { is_searched = true }, behaviors = 1 }
+TEST_F(GraphOfSeveral, IgnoresFieldsStringsAndCommentsWithTheSameNames) {
+  load("unrelated", R"(local t = { published = { is_searched = true }, behaviors = 1 }
 -- published.is_searched
-behavior "blind" {
+behavior "unrelated" {
   initial = "a",
   state "a" { { "b", when = function() return t.published.is_searched and "published.x" == "" end } },
   state "b" { { "a", when = function() return published[t.behaviors] end } },
@@ -154,7 +154,7 @@ behavior "blind" {
   EXPECT_TRUE(sights_of(machines().front(), host().texts()).empty());
 }
 
-TEST_F(GraphOfSeveral, TellsASightInAStateThatALocalNameHoldsOnce) {
+TEST_F(GraphOfSeveral, ReportsALinkOnceForAStateInALocalVariable) {
   load("held", R"(local held = state "held" { { "other", when = function() return published.flag end } }
 behavior "held" { initial = "held", held, state "other" { { "held", after = 1 } } })");
   const std::map<int, std::set<Sight>> seen = sights_of(machines().front(), host().texts());
@@ -217,7 +217,7 @@ TEST_F(GraphOfSeveral, IsAGraphvizDigraphWithDashedLinks) {
       << text;
 }
 
-TEST_F(GraphOfSeveral, KeepsMachinesAndStatesApartWhoseNamesRunTogether) {
+TEST_F(GraphOfSeveral, DistinguishesMachinesAndStatesWhoseJoinedNamesAreEqual) {
   load(
       "a",
       R"(behavior "a" { initial = "b c", state "b c" { { "b_c", after = 1 } }, state "b_c" { { "b c", after = 1 } } })");

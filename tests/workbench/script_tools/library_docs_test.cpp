@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What libraries' doc comments say, as data, for the reference and for editors.
+// Doc comments of libraries as data, for the reference and for editors.
 #include "workbench/script_tools/reference/library_docs.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::vector<std::string> names(const LibraryModule& module) {
 
 DocComment doc(const std::vector<std::string_view>& lines) { return doc_comment(lines); }
 
-TEST(LibraryDocs, TellWhatAFunctionTakesAndGives) {
+TEST(LibraryDocs, ContainArgumentsAndResultsOfAFunction) {
   const LibraryModule module = library_module("lib.way", R"(--- Ways over
 --- the field.
 
@@ -57,7 +57,7 @@ return way
   EXPECT_EQ(walk_to.doc.results[1].description, "m, to the target");
 }
 
-TEST(LibraryDocs, TakeTypesWithBlanksInThem) {
+TEST(LibraryDocs, AcceptTypesWithBlanks) {
   EXPECT_EQ(doc({"---@param f fun(x: number, y: number): boolean asks"}).parameters[0].type,
             "fun(x: number, y: number): boolean");
   EXPECT_EQ(doc({"---@param t { x: number, y: number } a place"}).parameters[0].description, "a place");
@@ -68,7 +68,7 @@ TEST(LibraryDocs, TakeTypesWithBlanksInThem) {
   EXPECT_EQ(doc({"---@type number[]"}).type, "number[]");
 }
 
-TEST(LibraryDocs, FindEachWayToWriteAMember) {
+TEST(LibraryDocs, FindEachSyntaxOfAMember) {
   const LibraryModule module = library_module("lib.ways", R"(
 local ways = {
   --- In the table.
@@ -104,7 +104,7 @@ return ways
   EXPECT_TRUE(members[6].doc.lines.empty());
 }
 
-TEST(LibraryDocs, FindMembersOfATableThatIsReturnedAtOnce) {
+TEST(LibraryDocs, FindMembersOfATableThatIsReturnedDirectly) {
   const LibraryModule module = library_module("lib.t", R"(local function f(x) return x end
 return {
   --- One.
@@ -117,7 +117,7 @@ return {
             std::vector<std::string>{"f"});
 }
 
-TEST(LibraryDocs, DoNotTakeTextForAComment) {
+TEST(LibraryDocs, DoNotMistakeTextForAComment) {
   const LibraryModule module = library_module("lib.t", R"(local t = {}
 local text = [[
 --- This is text.
@@ -131,7 +131,7 @@ return t)");
   for (const LibraryMember& member : module.members) EXPECT_TRUE(member.doc.lines.empty()) << member.name;
 }
 
-TEST(LibraryDocs, DoNotTakeTheCommentOfTheFirstFunctionForThatOfTheFile) {
+TEST(LibraryDocs, DoNotMistakeTheCommentOfTheFirstFunctionForThatOfTheFile) {
   EXPECT_EQ(library_module("lib.t", "--- Of f.\nfunction t.f() end\nreturn t").description, "");
   EXPECT_EQ(
       library_module("lib.t", "#!/usr/bin/lua\n\n-----------\n--- Of all.\n-----------\nlocal t = {}").description,
@@ -152,7 +152,7 @@ bool is_lua(const std::string& text) {
   return !fault;
 }
 
-TEST(LibraryDocs, OfWhatIsNoLuaAreWhatCanBeFound) {
+TEST(LibraryDocs, ContainWhatIsFoundInInvalidLua) {
   const std::string deep(60'000, '(');
   std::string many;
   for (int i = 0; i < 3000; ++i) many += "function m.f" + std::to_string(i) + "() end\n";
@@ -179,7 +179,7 @@ RC_GTEST_PROP(LibraryDocs, MakeValidAnnotationsOfAnyText, ()) {
   RC_ASSERT(is_lua(annotations(text)));
 }
 
-TEST(LibraryDocs, StandInTheReferenceAndTheAnnotations) {
+TEST(LibraryDocs, AreWrittenToTheReferenceAndTheAnnotations) {
   const std::vector<LibraryModule> modules{library_module("lib.way", R"(--- Ways.
 
 local way = {}
@@ -207,7 +207,7 @@ return way)")};
   EXPECT_NE(text.find("---@overload fun(module: \"lib.way\"): lib.way\n"), std::string::npos) << text;
 }
 
-TEST(LibraryDocs, AreReadFromTheFilesBelowLibThatCanBeRequired) {
+TEST(LibraryDocs, AreReadFromFilesBelowLibThatCanBeRequired) {
   ScriptTexts texts;
   for (const char* file : {"lib/a.lua", "lib/deep/b.lua", "lib/not-a-name.lua", "behaviors/c.lua"})
     texts.apply({file, ScriptText{"return { x = 1 }", ""}});

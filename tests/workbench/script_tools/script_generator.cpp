@@ -12,8 +12,8 @@ namespace {
 
 using Type = WorldField::Type;
 
-/// Whole idioms, which a check that guesses would take for slips. `N` stands for a number of its own; each defines a
-/// local function fN that gives a number, whatever it is called with.
+/// Idioms that a check without knowledge of types would report as mistakes. `N` is replaced by a unique number. Each
+/// idiom defines a local function fN that returns a number for any argument.
 constexpr const char* kIdioms[] = {
     "local function fN(x, y) return (tonumber(x) or 1) + (y and y * 2 or 0) end",
     "local function fN(x) x = tonumber(x) or 0 return x + 1 end",
@@ -62,7 +62,7 @@ class Generator {
   explicit Generator(std::uint64_t number) : number_(number), random_(number) {}
 
   std::string run() {
-    text_ = "--- Drawn by dice.\n";
+    text_ = "--- Generated at random.\n";
     write_parameters();
     text_ += "local memory = keep { count = 0, last = 0.0, word = \"none\", seen = false }\n";
     const std::uint64_t idioms = 1 + random_.below(4);
@@ -172,7 +172,7 @@ class Generator {
     return "(" + number(depth + 1) + kOperators[below(6)] + number(depth + 1) + ")";
   }
 
-  /// Takes two numbers, of which the second may be left out.
+  /// A function of two numbers, the second of which is optional.
   void write_function() {
     const std::string name = "calculate_" + std::to_string(++names_);
     text_ += "local function " + name + "(x, y)\n  y = y or " + number() + "\n";
@@ -213,7 +213,7 @@ class Generator {
     if (has_when) text += ", when = " + function("when");
     if (has_when && chance(0.5)) text += ", lasting = " + time();
     if (!has_when || chance(0.2)) text += ", after = " + time();
-    if (chance(0.7)) text += ", because = \"the dice say so\"";
+    if (chance(0.7)) text += ", because = \"it was chosen at random\"";
     return text + " },\n";
   }
 
@@ -222,7 +222,7 @@ class Generator {
     return chance(0.5) ? "\"" + any(times_) + "\"" : "function() return 0.5 end";
   }
 
-  /// States in a circle, each of which leads to the next; some of them have states of their own.
+  /// States in a circle, each with a transition to the next one. Some of them contain states.
   std::string states(const std::string& prefix, int depth) {
     const std::uint64_t count = 2 + below(3);
     std::string text = "  initial = \"" + prefix + "0\",\n";

@@ -7,9 +7,9 @@
 
 namespace reorient {
 
-/// The text of a behavior that can be loaded and runs without an error, with most of what scripts may do: parameters,
-/// memory, nested states, functions with and without optional arguments, metatables, closures. `number` is in its name
-/// and is its seed.
+/// The text of a behavior that can be loaded and runs without an error. It uses most features of scripts: parameters,
+/// memory, nested states, functions with and without optional arguments, metatables, closures. `number` is the seed and
+/// part of the name.
 std::string generated_script(std::uint64_t number);
 
 /// "generated_17"

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = LuaToken::Kind;
 
-/// Bytes [begin, end) are replaced.
+/// Replaces the bytes [begin, end).
 struct Edit {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -48,7 +48,7 @@ class Seeder {
     const TextPosition& position = tokens_[i].position;
     return lines_[static_cast<std::size_t>(position.line) - 1] + static_cast<std::size_t>(position.column) - 1;
   }
-  /// Behind it; of a text in quotes behind them.
+  /// The byte after the token, including the quotes of a text.
   std::size_t end_of(std::size_t i) const {
     return offset(i) + tokens_[i].text.size() + (tokens_[i].kind == Kind::text ? 2 : 0);
   }
@@ -58,7 +58,7 @@ class Seeder {
   }
   bool is_field(std::size_t i) const { return i > 0 && tokens_[i].kind == Kind::name && is(i - 1, "."); }
 
-  /// The bracket of a call, not of a function's declaration.
+  /// Whether it is the bracket of a call, not of a function's declaration.
   bool opens_call(std::size_t i) const {
     if (i == 0 || !is(i, "(") || tokens_[i - 1].kind != Kind::name) return false;
     std::size_t first = i - 1;
@@ -129,7 +129,7 @@ class Seeder {
     }
   }
 
-  /// Without the comma before or behind it.
+  /// Removes an argument with the comma before or after it.
   void drop_an_argument(std::size_t open, std::vector<Edit>& all) const {
     const std::size_t end = closing(open);
     std::size_t begin = open + 1;
@@ -142,7 +142,7 @@ class Seeder {
     }
   }
 
-  /// A call whose value is used: alone in a statement it cannot lose its brackets.
+  /// Whether the value of the call is used. A call that is a whole statement is invalid without its brackets.
   bool is_a_value(std::size_t open) const {
     std::size_t first = open - 1;
     while (first >= 2 && (is(first - 1, ".") || is(first - 1, ":"))) first -= 2;
@@ -155,7 +155,7 @@ class Seeder {
     return is_operator || is_keyword;
   }
 
-  /// function a.b(), or a side of an assignment to several.
+  /// Whether it is part of `function a.b()`, or of the left side of a multiple assignment.
   bool is_in_declared_name(std::size_t i) const {
     for (std::size_t j = i + 1; j < tokens_.size() && tokens_[j].position.line == tokens_[i].position.line; ++j) {
       if (is(j, "=") && tokens_[j].depth == tokens_[i].depth) return true;
@@ -168,7 +168,7 @@ class Seeder {
     return std::any_of(tables.begin(), tables.end(), [&](const WorldTable& table) { return table.name == name; });
   }
 
-  /// One that has no such field.
+  /// Another table without such a field.
   std::string other_table(std::size_t field) {
     const auto tables = world_tables();
     for (;;) {
@@ -190,14 +190,14 @@ class Seeder {
 }  // namespace
 
 std::string_view to_string(Mistake mistake) {
-  constexpr std::string_view kNames[] = {"a letter exchanged in a name",
-                                         "a letter exchanged in a text that names something",
-                                         "an argument dropped",
+  constexpr std::string_view kNames[] = {"a letter changed in a name",
+                                         "a letter changed in a text that names something",
+                                         "an argument removed",
                                          "an argument added",
                                          "a literal of another type",
                                          "a state renamed where it is declared",
                                          "the brackets of a call forgotten",
-                                         "brackets behind a field",
+                                         "brackets after a field",
                                          "a colon for a dot in a call",
                                          "a field of another table of the world"};
   return kNames[static_cast<std::size_t>(mistake)];

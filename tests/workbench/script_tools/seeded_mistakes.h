@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mistakes that people make in scripts, put into a text by dice.
+// Typical mistakes in scripts, inserted into a text at random positions.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace reorient {
 
 enum class Mistake {
-  letter_in_a_name,  ///< exchanged for another one, or with its neighbor
+  letter_in_a_name,  ///< replaced by another one, or swapped with its neighbor
   letter_in_a_text,  ///< the same in a text that names a state, a parameter, a behavior, a module, a value
   argument_dropped,
   argument_added,
@@ -21,7 +21,7 @@ enum class Mistake {
   brackets_forgotten,  ///< of a call without arguments
   brackets_added,      ///< to a field
   colon_for_dot,       ///< of a call
-  other_table,         ///< a field of the world is looked for in another of its tables
+  other_table,         ///< a field of the world is read from another of its tables
 };
 constexpr int enum_count(Mistake) { return 10; }
 std::string_view to_string(Mistake mistake);
@@ -29,10 +29,10 @@ std::string_view to_string(Mistake mistake);
 struct SeededMistake {
   std::string text;  ///< of the whole script
   int line = 0;
-  std::string before, after;  ///< what was replaced, and by what
+  std::string before, after;  ///< the replaced text and its replacement
 };
 
-/// `names`: what texts may name. Nothing where the script has no place for such a mistake.
+/// `names`: all names that texts may contain. Empty if such a mistake is not possible in the script.
 std::optional<SeededMistake> seed_mistake(Mistake mistake, std::string_view script,
                                           const std::vector<std::string>& names, Random& random);
 

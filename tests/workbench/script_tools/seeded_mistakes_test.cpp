@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which fraction of the mistakes that people make in scripts the check finds. docs/evidence/script-check.md has the
-// table of a thousand.
+// The fraction of typical mistakes in scripts that the check finds. docs/evidence/script-check.md has the table for a
+// thousand mistakes.
 #include "tests/workbench/script_tools/seeded_mistakes.h"
 
 #include <cmath>
@@ -21,13 +21,13 @@
 namespace reorient {
 namespace {
 
-/// A kind of mistake, how many of a thousand, and which share has to be found at least.
-struct Bar {
+/// A type of mistake, its number in a thousand mistakes, and the smallest fraction of them that the check must find.
+struct Requirement {
   Mistake mistake;
   int of_thousand;
-  double share;
+  double fraction;
 };
-constexpr Bar kBars[] = {
+constexpr Requirement kRequirements[] = {
     {Mistake::letter_in_a_name, 200, 0.95},  {Mistake::letter_in_a_text, 150, 0.95},
     {Mistake::argument_dropped, 150, 0.7},   {Mistake::argument_added, 100, 0.9},
     {Mistake::type_swapped, 150, 0.85},      {Mistake::state_renamed, 50, 0.95},
@@ -35,13 +35,13 @@ constexpr Bar kBars[] = {
     {Mistake::colon_for_dot, 50, 0.95},      {Mistake::other_table, 50, 0.95},
 };
 
-/// REORIENT_SEEDED_MISTAKES in the environment asks for another number of them, and for all that were not found.
-int wanted_mistakes() {
-  const char* const wanted = std::getenv("REORIENT_SEEDED_MISTAKES");
-  return wanted != nullptr ? std::atoi(wanted) : 100;
+/// REORIENT_SEEDED_MISTAKES in the environment sets their number, and prints all mistakes that were not found.
+int requested_mistakes() {
+  const char* const requested = std::getenv("REORIENT_SEEDED_MISTAKES");
+  return requested != nullptr ? std::atoi(requested) : 100;
 }
 
-/// The shipped behaviors, libraries and scenarios, in a folder of their own, without the tests.
+/// A copy of the shipped behaviors, libraries and scenarios, without the tests.
 class SeededMistakes : public ::testing::Test {
  protected:
   SeededMistakes() {
@@ -52,7 +52,7 @@ class SeededMistakes : public ::testing::Test {
     collect_names();
   }
 
-  /// What texts in scripts may name.
+  /// Collects the names that texts in scripts may contain.
   void collect_names() {
     BehaviorLanguage language;
     ParameterRegistry parameters;
@@ -88,29 +88,29 @@ TEST_F(SeededMistakes, AreMostlyFound) {
   for (const char* folder : {"lib", "scenarios"}) {
     for (const std::string& file : texts_.in_folder(folder)) files.push_back(file);
   }
-  const int wanted = wanted_mistakes();
-  const bool tells_all = std::getenv("REORIENT_SEEDED_MISTAKES") != nullptr;
-  for (const Bar& bar : kBars) {
-    Random random(1, static_cast<std::uint64_t>(bar.mistake));
-    const int count = std::max(2, bar.of_thousand * wanted / 1000);
+  const int requested = requested_mistakes();
+  const bool prints_all = std::getenv("REORIENT_SEEDED_MISTAKES") != nullptr;
+  for (const Requirement& required : kRequirements) {
+    Random random(1, static_cast<std::uint64_t>(required.mistake));
+    const int count = std::max(2, required.of_thousand * requested / 1000);
     int found = 0;
     for (int made = 0; made < count;) {
       const std::string& file = files[random.below(files.size())];
       const std::string& text = texts_.find(file)->text;
-      const std::optional<SeededMistake> mistake = seed_mistake(bar.mistake, text, names_, random);
+      const std::optional<SeededMistake> mistake = seed_mistake(required.mistake, text, names_, random);
       if (!mistake || mistake->text == text) continue;
       ++made;
       if (is_found(file, mistake->text)) {
         ++found;
-      } else if (tells_all) {
+      } else if (prints_all) {
         std::cout << "  " << file << ":" << mistake->line << ": '" << mistake->before << "' > '" << mistake->after
                   << "'\n";
       }
     }
-    if (tells_all) std::cout << to_string(bar.mistake) << ": " << found << " of " << count << "\n";
+    if (prints_all) std::cout << to_string(required.mistake) << ": " << found << " of " << count << "\n";
     // With few mistakes, the number of types that are not found is random.
-    EXPECT_GE(found, bar.share * count - std::sqrt(count * bar.share * (1.0 - bar.share)) - 1.0)
-        << to_string(bar.mistake) << ": " << found << " of " << count;
+    EXPECT_GE(found, required.fraction * count - std::sqrt(count * required.fraction * (1.0 - required.fraction)) - 1.0)
+        << to_string(required.mistake) << ": " << found << " of " << count;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scripted tests of the shipped behaviors, and what the shipped files must look like.
+// The scripted tests of the shipped behaviors, and the rules for the shipped files.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -31,7 +31,7 @@ std::string read(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// REORIENT_REGENERATE in the environment writes the file instead of comparing it.
+/// If REORIENT_REGENERATE is set in the environment, writes the file instead of comparing it.
 void expect_committed(const std::filesystem::path& file, const std::string& generated) {
   if (std::getenv("REORIENT_REGENERATE") != nullptr) {
     std::filesystem::create_directories(file.parent_path());
@@ -42,16 +42,16 @@ void expect_committed(const std::filesystem::path& file, const std::string& gene
 
 std::vector<LibraryModule> shipped_libraries() { return library_modules(read_scripts(kScripts)); }
 
-TEST(GeneratedFiles, TheReferenceIsThatOfTheBindingsAndTheLibraries) {
+TEST(GeneratedFiles, TheReferenceMatchesTheBindingsAndTheLibraries) {
   expect_committed(std::filesystem::path(kSourceFolder) / "docs" / "script-reference.md",
                    script_reference(shipped_libraries()));
 }
 
-TEST(GeneratedFiles, TheEditorAnnotationsAreThoseOfTheBindingsAndTheLibraries) {
+TEST(GeneratedFiles, TheEditorAnnotationsMatchTheBindingsAndTheLibraries) {
   expect_committed(kScripts / "annotations" / "reorient.lua", script_annotations(shipped_libraries()));
 }
 
-TEST(GeneratedFiles, TheLuacheckConfigurationIsThatOfTheBindings) {
+TEST(GeneratedFiles, TheLuacheckConfigurationMatchesTheBindings) {
   expect_committed(kScripts / ".luacheckrc", script_luacheck());
 }
 
@@ -86,14 +86,14 @@ TEST(GeneratedFiles, ThePagesOfBehaviorsShowTheirStatesAndParameters) {
       if (parameter.name.starts_with(prefix)) own.push_back(parameter);
     }
     const std::filesystem::path page = (kScripts / file).replace_extension(".md");
-    ASSERT_TRUE(std::filesystem::exists(page)) << page << " is missing: every behavior has a page beside it";
+    ASSERT_TRUE(std::filesystem::exists(page)) << page << " is missing (expected a page for every behavior)";
     expect_committed(page, with_generated_parts(read(page), *behaviors.host().definitions().front(), own));
     ++pages;
   }
   EXPECT_GE(pages, 9);
 }
 
-/// What each library offers when it runs, by its name.
+/// The members of each library at run time, by the name of the library.
 std::map<std::string, std::set<std::string>> offered_by_libraries() {
   ScriptTexts texts = read_scripts(kScripts);
   std::string probe;
@@ -114,12 +114,12 @@ void expect_documented(const LibraryMember& member) {
   }
   for (const DocTag& tag : member.doc.parameters) {
     EXPECT_EQ(std::count(member.parameters.begin(), member.parameters.end(), tag.name), 1)
-        << "it takes no '" << tag.name << "'";
+        << "---@param " << tag.name << " names an unknown parameter";
   }
   EXPECT_TRUE(member.is_function || !member.doc.type.empty()) << "---@type TYPE is missing";
 }
 
-TEST(ShippedScripts, DocumentAllThatTheirLibrariesOffer) {
+TEST(ShippedScripts, DocumentAllMembersOfTheirLibraries) {
   const std::map<std::string, std::set<std::string>> offered = offered_by_libraries();
   const std::vector<LibraryModule> modules = shipped_libraries();
   ASSERT_GE(modules.size(), 3U);
@@ -139,10 +139,10 @@ TEST(ShippedScripts, PassLuacheck) {
   if (std::system("command -v luacheck >/dev/null") != 0)
     GTEST_SKIP() << "luacheck is not installed (Debian: lua-check)";
   const std::string command = "cd '" + kScripts.string() + "' && luacheck --no-color --quiet . >/dev/null";
-  EXPECT_EQ(std::system(command.c_str()), 0) << "luacheck scripts/ tells more";
+  EXPECT_EQ(std::system(command.c_str()), 0) << "run luacheck scripts/ for details";
 }
 
-TEST(ShippedScripts, BeginWithACommentThatSaysWhatTheyDo) {
+TEST(ShippedScripts, BeginWithADescription) {
   int files = 0;
   for (const char* folder : {"behaviors", "lib", "scenarios", "tests"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kScripts / folder)) {

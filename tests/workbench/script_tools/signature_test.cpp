@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Signatures as the vocabulary writes them.
+// Signatures in the notation of the vocabulary.
 #include "workbench/script_tools/reference/signature.h"
 
 #include <stdexcept>
@@ -22,19 +22,19 @@ TEST(Signature, IsReadWithOptionalArgumentsAndResult) {
   EXPECT_EQ(read.result, "boolean is_near");
 }
 
-TEST(Signature, KeepsTypesWithBracketsWhole) {
+TEST(Signature, KeepsTypesWithBracketsTogether) {
   const Signature read = read_signature("f(a: { b: string, c: number? }, d: fun(x: table<string, any>): string): any");
   ASSERT_EQ(read.arguments.size(), 2U);
   EXPECT_EQ(read.arguments[0].type, "{ b: string, c: number? }");
   EXPECT_EQ(read.arguments[1].type, "fun(x: table<string, any>): string");
 }
 
-TEST(Signature, RefusesInvalidText) {
+TEST(Signature, RejectsInvalidText) {
   for (const char* text : {"", "name", "f(", "f(a)", "f(a: number", "f(: number)"})
     EXPECT_THROW(read_signature(text), std::invalid_argument) << text;
 }
 
-TEST(Signature, OfEveryWordCanBeRead) {
+TEST(Signature, OfEveryKeywordCanBeRead) {
   for (const auto& words : {language_words(), test_words()}) {
     for (const ScriptWord& word : words) {
       if (!word.is_function()) continue;

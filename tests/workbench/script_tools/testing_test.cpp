@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runner of scripted tests: what it tells, what it counts, what it hands to CI.
+// The runner of scripted tests: its messages, its coverage and its report for CI.
 #include <algorithm>
 #include <functional>
 #include <sstream>
@@ -55,7 +55,7 @@ class ScriptedTests : public ::testing::Test {
   TestSummary summary;
 };
 
-TEST_F(ScriptedTests, HearAndSayWordsOfTheTeam) {
+TEST_F(ScriptedTests, ReceiveAndSendMessagesOfTheTeam) {
   folder.write("behaviors/parrot.lua", R"(behavior "parrot" {
     update = function() for i = 1, team.heard() do team.send(team.sender(i) .. ": " .. team.text(i)) end end
   })");
@@ -81,7 +81,7 @@ TEST_F(ScriptedTests, RejectImpossibleMessages) {
   EXPECT_NE(only_failure().find("at most 32 messages"), std::string::npos);
 }
 
-TEST_F(ScriptedTests, SeeThatARoomCanTellWhichIsKnownAndNotSymmetric) {
+TEST_F(ScriptedTests, SeeThatAKnownAsymmetricRoomCanTellThePosesApart) {
   run(R"(test("t", function()
   for status, can_tell in pairs { usable = true, off = false, resting = false, unlearned = false, symmetric = false,
                                   lost = true, fresh = true } do
@@ -93,7 +93,7 @@ end))");
   EXPECT_EQ(summary.failed, 0) << out.str();
 }
 
-TEST_F(ScriptedTests, TellEachFailureWithItsLineAndBothSides) {
+TEST_F(ScriptedTests, ReportEachFailureWithItsLineAndBothValues) {
   run(R"(test("is wrong twice", function()
   load_behavior "lamp"
   advance(0.1)
@@ -124,12 +124,12 @@ end))");
   EXPECT_NE(text.find("at .extra: expected nothing, actual true"), std::string::npos) << text;
 }
 
-TEST_F(ScriptedTests, TakeTablesWithTheSameFieldsAsEqual) {
+TEST_F(ScriptedTests, TreatTablesWithTheSameFieldsAsEqual) {
   run(R"(test("t", function() expect.equal({ 1, { x = 2.0 } }, { 1.0, { x = 2 } }) end))");
   EXPECT_EQ(summary.failed, 0) << out.str();
 }
 
-TEST_F(ScriptedTests, EndOnTablesThatHoldThemselves) {
+TEST_F(ScriptedTests, EndOnTablesThatContainThemselves) {
   run(R"(test("t", function() local a, b = {}, {} a.a = a b.a = b expect.equal(a, b) end))");
   EXPECT_EQ(summary.failed, 1);
 }
@@ -149,7 +149,7 @@ test("t", function() expect.equal(nested(1), nested(1)) end))");
   EXPECT_NE(out.str().find("instructions"), std::string::npos) << out.str();
 }
 
-TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyTook) {
+TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyCovered) {
   run(R"(test("t", function() load_behavior "lamp" set_world { robot = { penalized = true } } advance(0.5) end))");
   EXPECT_EQ(coverage(),
             "lamp: 3 of 4 states, 1 of 3 transitions\n"
@@ -159,7 +159,7 @@ TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyTook) {
             "in all: 3 of 4 states (75 %), 1 of 3 transitions (33 %) of the 1 machine that tests loaded\n");
 }
 
-TEST_F(ScriptedTests, TellMachinesThatNoTestLoadsInOneLineEach) {
+TEST_F(ScriptedTests, ReportEachMachineThatNoTestLoadsInOneLine) {
   folder.write("scenarios/night.lua", R"(scenario "night" { state "dark" {} })");
   run(R"(test("t", function() end))");
   EXPECT_EQ(coverage(),
@@ -174,7 +174,7 @@ TEST_F(ScriptedTests, TellMachinesThatNoTestLoadsInOneLineEach) {
       << coverage();
 }
 
-/// A library whose functions make a transition, a state and a whole machine.
+/// A library whose functions create a transition, a state and a whole machine.
 void write_makers(const TemporaryFolder& folder) {
   folder.write("lib/makers.lua", R"(local makers = {}
 function makers.when_penalized(target)
@@ -189,7 +189,7 @@ end
 return makers)");
 }
 
-TEST_F(ScriptedTests, TellWhatALibraryMakesAsAShareAndNotLineByLine) {
+TEST_F(ScriptedTests, ReportStatesOfALibraryAsAFractionOnly) {
   write_makers(folder);
   folder.write("behaviors/guest.lua", R"(local makers = require "lib.makers"
 behavior "guest" {
@@ -222,7 +222,7 @@ end))");
             "1 of 6 states (16 %), 0 of 5 transitions (0 %) of all 3 machines\n");
 }
 
-TEST_F(ScriptedTests, CountATransitionThatOnlyAsksALibraryAsTheBehaviorsOwn) {
+TEST_F(ScriptedTests, CountATransitionThatOnlyCallsALibraryForTheBehavior) {
   folder.write("lib/asked.lua", "return { never = function() return false end }");
   folder.write("behaviors/asking.lua", R"(local asked = require "lib.asked"
 behavior "asking" { state "a" { { "b", when = asked.never }, state "b" { { "a", after = 1 } } } })");
@@ -233,13 +233,13 @@ behavior "asking" { state "a" { { "b", when = asked.never }, state "b" { { "a", 
   EXPECT_EQ(coverage().find("lib/asked.lua"), std::string::npos) << coverage();
 }
 
-TEST_F(ScriptedTests, DoNotTakeAMachineForAnotherFilesOfTheSameName) {
+TEST_F(ScriptedTests, DistinguishMachinesWithTheSameNameInDifferentFiles) {
   folder.write("behaviors/old/lamp.lua", R"(behavior "lamp" { state "off" {} })");
   run(R"(test("t", function() load_behavior "lamp" advance(0.1) end))");
   EXPECT_NE(coverage().find("lamp: no test loaded it\n"), std::string::npos) << coverage();
 }
 
-TEST_F(ScriptedTests, LeaveAScriptThatCannotBeLoadedOutOfTheCoverageAndSayWhy) {
+TEST_F(ScriptedTests, OmitAScriptThatCannotBeLoadedFromTheCoverageAndReportWhy) {
   folder.write("behaviors/broken.lua", "behavior \"broken\" {");
   run(R"(test("t", function() load_behavior "lamp" advance(0.1) end))");
   std::ostringstream text;
@@ -251,7 +251,7 @@ TEST_F(ScriptedTests, LeaveAScriptThatCannotBeLoadedOutOfTheCoverageAndSayWhy) {
   EXPECT_NE(text.str().find("\nin all: "), std::string::npos) << text.str();
 }
 
-TEST_F(ScriptedTests, CountWhatWasTakenAfterAnEditToo) {
+TEST_F(ScriptedTests, CountTransitionsAfterAnEdit) {
   run(R"(test("t", function()
   load_behavior "lamp"
   advance(0.1)
@@ -289,7 +289,7 @@ TEST_F(ScriptedTests, AreReportedAsSkippedWithoutASimulator) {
   EXPECT_NE(junit_report(summary).find("<skipped/>"), std::string::npos);
 }
 
-TEST_F(ScriptedTests, ExpectOfASimulationWhatHappenedInAllOfIt) {
+TEST_F(ScriptedTests, ApplyExpectationsToAWholeSimulation) {
   SimulationRequest asked;
   run(R"(test("t", function()
   local is_correct = simulate { scenario = "s", with = { "a", "b" }, seed = 7, width = 320, seconds = 12.5, room_awareness = false,
@@ -324,7 +324,7 @@ end))",
             (std::vector<std::pair<std::string, std::string>>{{"lamp.level", "0.5"}, {"lamp.on", "true"}}));
 }
 
-TEST_F(ScriptedTests, FailWhenASimulationsScriptDoes) {
+TEST_F(ScriptedTests, FailIfAScriptOfTheSimulationFails) {
   run(R"(test("t", function() simulate { scenario = "s" } end))",
       [](const SimulationRequest&, CoverageTrace&, const std::function<bool()>&) {
         SimulationOutcome outcome;
@@ -340,9 +340,9 @@ struct BadRequest {
   const char* message;
 };
 
-TEST_F(ScriptedTests, RefuseSimulationsThatMakeNoSense) {
+TEST_F(ScriptedTests, RejectInvalidSimulations) {
   for (const BadRequest& bad :
-       {BadRequest{"{}", "needs a scenario"}, BadRequest{"{ scenari = 'x' }", "did you mean 'scenario'"},
+       {BadRequest{"{}", "missing scenario"}, BadRequest{"{ scenari = 'x' }", "did you mean 'scenario'"},
         BadRequest{"{ scenario = 'x', seed = -1 }", "seed"}, BadRequest{"{ scenario = 'x', seed = 1.5 }", "seed"},
         BadRequest{"{ scenario = 'x', width = 100 }", "width"}, BadRequest{"{ scenario = 'x', with = 'a' }", "with"},
         BadRequest{"{ scenario = 'x', with = { 1 } }", "with"},
@@ -355,18 +355,18 @@ TEST_F(ScriptedTests, RefuseSimulationsThatMakeNoSense) {
   }
 }
 
-// ---- tests are other people's scripts, too
+// ---- limits, because tests are untrusted scripts, too
 
-TEST_F(ScriptedTests, DeclareNoTestsWhileOneRuns) {
+TEST_F(ScriptedTests, CannotDeclareTestsWhileATestRuns) {
   run(R"(test("outer", function() test("inner", function() end) end)
 test("caught", function() for i = 1, 100 do pcall(test, "inner " .. i, function() end) end end))");
   ASSERT_EQ(summary.cases.size(), 2U) << out.str();
   ASSERT_EQ(summary.cases[0].failures.size(), 1U);
-  EXPECT_NE(summary.cases[0].failures[0].text.find("declare tests at the top of the file"), std::string::npos);
+  EXPECT_NE(summary.cases[0].failures[0].text.find("declare tests at the top level of the file"), std::string::npos);
   EXPECT_TRUE(summary.cases[1].failures.empty()) << out.str();
 }
 
-TEST_F(ScriptedTests, HaveNoWordsThatDeclareAnythingElse) {
+TEST_F(ScriptedTests, CannotDeclareMachinesOrParameters) {
   run(R"(test("t", function()
   expect.equal(behavior, nil)
   expect.equal(scenario, nil)
@@ -377,7 +377,7 @@ end))");
   EXPECT_EQ(summary.failed, 0) << out.str();
 }
 
-TEST_F(ScriptedTests, SeeNothingOfWhatOthersDid) {
+TEST_F(ScriptedTests, AreIsolatedFromEachOther) {
   run(R"(local count = 0
 local function is_untouched()
   count = count + 1
@@ -401,7 +401,7 @@ end)");
   }
 }
 
-TEST_F(ScriptedTests, EndWhereTheyLetTooMuchOfTheRobotsTimePass) {
+TEST_F(ScriptedTests, EndAtTheLimitOfTheRobotsTime) {
   run(R"(test("t", function()
   while true do
     pcall(advance, 3600)
@@ -415,11 +415,12 @@ test("the next", function() advance(1) end))");
   EXPECT_EQ(summary.passed, 1);
 }
 
-/// s. A starved test may reach its limit at any of its calls. It must not reach that of its file, ten times as much.
+/// s. On a busy machine, a test may reach its limit in any of its calls. It must not reach the limit of its file, which
+/// is ten times longer.
 constexpr double kShortLimit = 1.0;
 
-TEST_F(ScriptedTests, EndWhereTheyTakeTooLong) {
-  // Asked before each frame: on a fast machine, too, the robot's time lasts longer than the limit.
+TEST_F(ScriptedTests, EndAtTheTimeout) {
+  // Called before each frame, so that the robot's time exceeds the limit on a fast machine, too.
   const auto slow_stop = [] {
     let_time_pass(0.001);
     return false;
@@ -436,7 +437,7 @@ end))");
   EXPECT_NE(summary.cases[0].failures[0].text.find("took more than 1 s; --timeout"), std::string::npos) << out.str();
 }
 
-TEST_F(ScriptedTests, PayForAllThatTheyLetDo) {
+TEST_F(ScriptedTests, PayForTheWorkOfEachFunction) {
   TestRun hasty{folder.path(), {}, {}, {}, 0.05, {}};
   for (const char* work : {"reload { from = 'bright', to = 'bright' }", "pcall(load_behavior, 'lamp')",
                            "set_world { robot = { penalized = true } }", "set_param('arbiter.rest', '1')",
@@ -453,23 +454,24 @@ TEST_F(ScriptedTests, PayForAllThatTheyLetDo) {
   }
 }
 
-TEST_F(ScriptedTests, EndWhereTheyFailAgainAndAgain) {
+TEST_F(ScriptedTests, EndAfterTooManyFailures) {
   run("test('t', function() while true do expect.equal(1, 2) end end)");
   ASSERT_EQ(summary.cases.size(), 1U);
   EXPECT_EQ(summary.cases[0].failures.size(), 101U);
   EXPECT_NE(out.str().find("ended after 100 failures"), std::string::npos);
 }
 
-TEST_F(ScriptedTests, AreNotTooManyInAFile) {
+TEST_F(ScriptedTests, AreLimitedInNumberInAFile) {
   run("for i = 1, 1e6 do test('t', function() end) end");
   EXPECT_EQ(summary.failed, 1);
-  EXPECT_NE(out.str().find("a file has at most 2000 tests"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("expected at most 2000 tests in a file"), std::string::npos) << out.str();
 }
 
 TEST_F(ScriptedTests, HaveNamesThatCanBeRead) {
   run("test(('x'):rep(1000000), function() end)");
   EXPECT_EQ(summary.failed, 1);
-  EXPECT_NE(out.str().find("a test's name has at most 200 letters"), std::string::npos) << out.str().substr(0, 1000);
+  EXPECT_NE(out.str().find("expected a name of at most 200 characters"), std::string::npos)
+      << out.str().substr(0, 1000);
 }
 
 TEST_F(ScriptedTests, TellFailuresThatCanBeRead) {
@@ -506,7 +508,7 @@ TEST_F(ScriptedTests, PayForEachParameterThatTheySet) {
   EXPECT_NE(out.str().find("instructions"), std::string::npos) << out.str().substr(0, 1000);
 }
 
-TEST_F(ScriptedTests, EndAllTogetherWhereAFileTakesTooLong) {
+TEST_F(ScriptedTests, EndAllIfTheirFileTakesTooLong) {
   TestRun hasty{folder.path(), {}, {}, {}, 0.05, {}};
   folder.write("tests/lamp_test.lua",
                "for i = 1, 30 do test('t' .. i, function() while true do advance(100) end end) end");
@@ -531,7 +533,7 @@ TEST_F(ScriptedTests, EndInTheMiddleOfASimulation) {
   EXPECT_NE(out.str().find("--timeout"), std::string::npos) << out.str();
 }
 
-TEST_F(ScriptedTests, GiveASimulationNoMoreThanWhatIsLeftOfTheRobotsTime) {
+TEST_F(ScriptedTests, LimitASimulationToTheRemainingTimeOfTheRobot) {
   std::vector<double> asked;
   run("test('t', function() for i = 1, 3 do simulate { scenario = 's', seconds = 20000 } end end)",
       [&](const SimulationRequest& request, CoverageTrace&, const std::function<bool()>&) {
@@ -553,7 +555,7 @@ TEST_F(ScriptedTests, StopOnAnInterrupt) {
   summary = run_script_tests(interrupted, out, trace);
   EXPECT_TRUE(summary.interrupted);
   EXPECT_EQ(summary.cases.size(), 2U) << out.str();
-  EXPECT_NE(out.str().find("interrupted before the rest"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("interrupted before the remaining tests"), std::string::npos) << out.str();
 }
 
 struct Mistake {
@@ -578,8 +580,9 @@ INSTANTIATE_TEST_SUITE_P(
     Language, MistakesOfTests,
     ::testing::Values(
         Mistake{"UnknownParameter", "set_param('dimmer.levle', '0.3')  load_behavior 'dimmer'",
-                "no parameter 'dimmer.levle' in what this test loads (did you mean 'dimmer.level'?)"},
-        Mistake{"ParameterOfWhatIsNotLoaded", "set_param('dimmer.level', '0.3')", "no parameter 'dimmer.level'"},
+                "unknown parameter 'dimmer.levle' of the scripts that this test loads (did you mean 'dimmer.level'?)"},
+        Mistake{"ParameterOfAScriptThatIsNotLoaded", "set_param('dimmer.level', '0.3')",
+                "unknown parameter 'dimmer.level'"},
         Mistake{"ParameterOutOfRange", "load_behavior 'dimmer'  set_param('dimmer.level', '3')", "dimmer.level"},
         Mistake{"WorldField", "set_world { robot = { penalised = true } }", "did you mean 'robot.penalized'?"},
         Mistake{"WorldTable", "set_world { robto = { penalized = true } }", "unknown world field 'robto.penalized'"},
@@ -591,20 +594,22 @@ INSTANTIATE_TEST_SUITE_P(
                 "clock.time cannot be set: advance(SECONDS) lets time pass"},
         Mistake{"WorldComputed", "set_world { confidence = { can_tell = true } }",
                 "confidence.can_tell cannot be set: it is computed from confidence.status"},
-        Mistake{"BehaviorTwice", "load_behavior 'lamp'  load_behavior 'lamp'", "'lamp' is loaded already"},
+        Mistake{"BehaviorTwice", "load_behavior 'lamp'  load_behavior 'lamp'",
+                "load_behavior: 'lamp' is already loaded"},
         Mistake{"NoBehavior", "load_behavior 'lapm'", "lapm"},
-        Mistake{"TooLong", "advance(1e9)", "advance takes seconds, from 0 to 3600"},
-        Mistake{"Backwards", "advance(-1)", "advance takes seconds"},
+        Mistake{"TooLong", "advance(1e9)", "advance: expected seconds from 0 to 3600"},
+        Mistake{"Backwards", "advance(-1)", "advance: expected seconds"},
         Mistake{"NotANumberOfSeconds", "advance(0/0)", "finite number expected"},
         Mistake{"ReloadWithoutFrom", "load_behavior 'lamp'  reload { form = 'off', to = 'on' }",
                 "did you mean 'from'?"},
-        Mistake{"StateOfAnUnknownMachine", "load_behavior 'lamp'  expect.state('lapm', 'off')", "no behavior \"lapm\""},
-        Mistake{"UnknownState", "load_behavior 'lamp'  expect.state('lamp', 'of')", "lamp has no state \"of\""},
-        Mistake{"UnknownCommand", "expect.no_command('flip')", "there is no command 'flip' (did you mean"},
-        Mistake{"UnknownLease", "expect.no_lease('pause_trainig')", "there is no pause 'pause_trainig'"}),
+        Mistake{"StateOfAnUnknownMachine", "load_behavior 'lamp'  expect.state('lapm', 'off')",
+                "behavior \"lapm\" is not loaded"},
+        Mistake{"UnknownState", "load_behavior 'lamp'  expect.state('lamp', 'of')", "lamp: unknown state \"of\""},
+        Mistake{"UnknownCommand", "expect.no_command('flip')", "unknown command 'flip' (did you mean"},
+        Mistake{"UnknownLease", "expect.no_lease('pause_trainig')", "unknown pause 'pause_trainig'"}),
     [](const auto& each) { return std::string(each.param.name); });
 
-TEST_F(ScriptedTests, AreThereInAFileOfTests) {
+TEST_F(ScriptedTests, AreRequiredInAFileOfTests) {
   run("local helper = 1\n");
   EXPECT_EQ(summary.failed, 1);
   EXPECT_NE(out.str().find("FAILED  tests/lamp_test.lua: declares a test\n"), std::string::npos) << out.str();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the check finds in the text of a script, and where; and what it must not find.
+// What the check finds in the text of a script, and at which position. Correct scripts must give no finding.
 #include "workbench/script_tools/check/text_check.h"
 
 #include <string>
@@ -32,7 +32,7 @@ SymbolTable known() {
 
 class TextSlips : public ::testing::TestWithParam<Slip> {};
 
-TEST_P(TextSlips, AreFoundAtTheirPlace) {
+TEST_P(TextSlips, AreFoundAtTheirPosition) {
   const std::vector<Finding> found = check_text(GetParam().text, known()).findings;
   ASSERT_EQ(found.size(), 1U) << (found.empty() ? "nothing found" : found[0].message);
   EXPECT_NE(found[0].message.find(GetParam().message), std::string::npos) << found[0].message;
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
              "local function is_left() return true end if is_left then print(1) end",
              "is_left is a function, which is always true: call it, is_left()",
              {1, 45}},
-        Slip{"FunctionThatAConditionGives",
+        Slip{"FunctionAsTheResultOfACondition",
              "local function is_left() return true end return { when = function() return is_left end }",
              "is_left is a function, which is always true",
              {1, 76}},
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
              "local function half(x) return x / 2 end return half(1, 2)",
              "half: expected 1 argument, found 2",
              {1, 52}},
-        Slip{"ArgumentThatIsHandedOn",
+        Slip{"ArgumentThatIsPassedOn",
              "local function look(yaw) head.look(yaw, 0) end return function() look() end",
              "look: expected 1 argument, found 0",
              {1, 70}},
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
              "local t = {} function t.a() return t.b() end function t.b(x) return x + 1 end return t",
              "t.b: expected 1 argument, found 0",
              {1, 39}},
-        Slip{"ArgumentThatACallDoesNotGive",
+        Slip{"ArgumentThatACallDoesNotReturn",
              "head.look(math.abs(pose.x))",
              "head.look: expected 2 arguments, found 1",
              {1, 10}},
@@ -203,14 +203,14 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"InALongTextsNeighborhood", "local t = [==[ robot.falen\n]==] .. robt", "unknown name 'robt'", {2, 9}}),
     [](const auto& each) { return std::string(each.param.name); });
 
-class SoundScripts : public ::testing::TestWithParam<const char*> {};
+class CorrectScripts : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(SoundScripts, GiveNoFindings) {
+TEST_P(CorrectScripts, GiveNoFindings) {
   for (const Finding& finding : check_text(GetParam(), known()).findings) ADD_FAILURE() << finding.text();
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Names, SoundScripts,
+    Names, CorrectScripts,
     ::testing::Values(
         "-- robot.falen in a comment\nlocal s = 'robot.falen'",
         "local function f(a, ...) local b <const> = a; return select('#', ...), b end return f(f)",
@@ -256,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(
         "return #behaviors.other.state + #'x'",
         "while robot.penalized do break end return function(...) return ... end"));
 
-TEST(TextCheck, EndsOnWhateverTextItIsGiven) {
+TEST(TextCheck, TerminatesOnAnyText) {
   for (const char* text :
        {"",   "end end", "local", "function", "x.",      "((((",          "for", "if",   "{",
         "}",  "a = = 3", "\"",    "[[",       "--[[",    "return return", "::",  "goto", "local function",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check is silent about scripts that are right: generated ones, the shipped ones, and the guide's.
+// The check has no findings in correct scripts: generated ones, the shipped ones, and those of the guide.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -21,10 +21,10 @@ namespace {
 
 const std::filesystem::path kProject = kSourceFolder;
 
-/// REORIENT_GENERATED_SCRIPTS in the environment asks for more of them.
-std::uint64_t wanted_scripts() {
-  const char* const wanted = std::getenv("REORIENT_GENERATED_SCRIPTS");
-  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 300;
+/// REORIENT_GENERATED_SCRIPTS in the environment sets their number.
+std::uint64_t requested_scripts() {
+  const char* const requested = std::getenv("REORIENT_GENERATED_SCRIPTS");
+  return requested != nullptr ? std::strtoull(requested, nullptr, 10) : 300;
 }
 
 /// All errors of two seconds in which the robot stands, falls, and is penalized.
@@ -46,7 +46,7 @@ std::string errors_of(Behaviors& behaviors) {
 
 TEST(GeneratedScripts, AreValidAndGiveNoFinding) {
   constexpr std::uint64_t kTogether = 50;
-  const std::uint64_t count = wanted_scripts();
+  const std::uint64_t count = requested_scripts();
   for (std::uint64_t first = 0; first < count; first += kTogether) {
     const std::uint64_t end = std::min(first + kTogether, count);
     const TemporaryFolder folder;
@@ -65,7 +65,7 @@ TEST(GeneratedScripts, AreValidAndGiveNoFinding) {
   }
 }
 
-/// The scripts that a page shows whole: in fences "```lua path/of/the/file.lua".
+/// Writes the complete scripts of a page, which are in fences "```lua path/of/the/file.lua".
 void write_scripts_of(const std::filesystem::path& page, const TemporaryFolder& folder) {
   std::ifstream in(page);
   std::string file;

@@ -14,7 +14,7 @@
 namespace reorient {
 namespace {
 
-/// How many there are, and how many of them the tests took.
+/// The number of states or transitions, and how many of them the tests covered.
 struct Share {
   int taken = 0;
   int all = 0;
@@ -57,11 +57,11 @@ std::string with_percents(const Shares& shares) {
 
 std::string machines(int count) { return std::to_string(count) + (count == 1 ? " machine" : " machines"); }
 
-/// One machine as the tests left it.
+/// Coverage of one machine.
 struct MachineCoverage {
-  Shares own;                             ///< of what is written in the script's own file
-  std::map<std::string, Shares> by_file;  ///< of what other files make in it
-  std::string left_out;                   ///< of its own, a line each
+  Shares own;                             ///< in the script's own file
+  std::map<std::string, Shares> by_file;  ///< added to it by other files
+  std::string left_out;                   ///< not covered in the script's own file, one line each
 
   Shares& of(const std::string& file, const std::string& script) { return file == script ? own : by_file[file]; }
 };
@@ -70,11 +70,11 @@ std::string place(const StateDefinition& state, TextPosition position) {
   return "  " + place_text(state.file, position.line, position.column);
 }
 
-/// `script`: the file that was loaded for it; `trace`: nullptr where no test ran it.
+/// `script`: the file that was loaded for it. `trace`: nullptr if no test ran it.
 MachineCoverage coverage_of(const MachineDefinition& machine, const std::string& script, const MachineTrace* trace) {
   MachineCoverage found;
   for (const StateDefinition& state : machine.states) {
-    if (state.path.empty()) continue;  // the machine as a whole is no state that one would count
+    if (state.path.empty()) continue;  // the machine as a whole is not counted as a state
     const bool is_entered = trace != nullptr && trace->states.contains(state.path);
     found.of(state.file, script).states.count(is_entered);
     if (!is_entered && state.file == script)
@@ -134,7 +134,7 @@ class CoverageReport {
   int count_ = 0;
   int run_count_ = 0;
   Shares all_;
-  Shares run_;   ///< of those machines that tests ran
+  Shares run_;   ///< of the machines that tests ran
   Shares made_;  ///< in these, by other files
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which states and transitions of the scripts the tests covered.
+// States and transitions of the scripts that the tests covered.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace reorient {
 
-/// What happened in one machine.
+/// States and transitions that one machine went through.
 struct MachineTrace {
   std::set<std::string> states;       ///< entered: paths
   std::set<std::string> transitions;  ///< taken: keys
@@ -29,18 +29,18 @@ class CoverageTrace {
   void note(std::span<const MachineDefinition* const> machines, const NameTable& names,
             std::span<const TransitionRecord> transitions);
 
-  /// nullptr: no test ran it.
+  /// Returns nullptr if no test ran it.
   const MachineTrace* find(const MachineDefinition& machine) const;
 
  private:
   std::map<std::pair<std::string, std::string>, MachineTrace> machines_;  ///< by file and name
 };
 
-/// What of all behaviors and scenarios below the root the tests took. Of each machine that they ran: the share, then
-/// each state of its file that was never entered and each transition that was never taken, with file, line and column,
-/// and the share of what a library makes in it. Then one line for each machine that they did not run, and one for all.
-/// Returns one line about each script that cannot be loaded, which is left out. Throws std::runtime_error where there
-/// are no scripts.
+/// Writes the coverage of all behaviors and scenarios below the root. For each machine that the tests ran: the
+/// fraction, then each state of its file that was never entered and each transition that was never taken, with file,
+/// line and column, and the fraction of the states and transitions that libraries add. Then one line for each machine
+/// that the tests did not run, and the total. Returns one line about each script that cannot be loaded; it is not
+/// counted. Throws std::runtime_error if there are no scripts.
 std::vector<std::string> report_coverage(const CoverageTrace& trace, const std::filesystem::path& scripts_root,
                                          std::ostream& out);
 

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// What the room says after a granted command, as RoomAwareness has it.
+/// Confidences after a granted command, as RoomAwareness computes them.
 void apply(Reorientation reorientation, Confidences& confidence, const ConfidenceParameters& parameters) {
   switch (reorientation) {
     case Reorientation::flip_pose:
@@ -39,7 +39,7 @@ void FakeWorld::set(std::string_view table, std::string_view name, const WorldVa
   if (table == "pose" && (name == "x" || name == "y" || name == "rotation")) is_pose_set_ = true;
 }
 
-/// At half-time the axes turn, and with them the pose, unless the test has set it in the new axes.
+/// At half-time the axes rotate by 180 degrees, and the pose with them, unless the test has set it in the new axes.
 void FakeWorld::sense_sides(WorldTracker& tracker) {
   if (world_.sides_changed == sides_changed_) return;
   sides_changed_ = world_.sides_changed;
@@ -47,7 +47,7 @@ void FakeWorld::sense_sides(WorldTracker& tracker) {
   if (!is_pose_set_) world_.pose = tracker.world().pose;
 }
 
-/// The tracker's world, but for what the test has set.
+/// The tracker's world, except for the values that the test has set.
 World FakeWorld::derived(const WorldTracker& tracker) const {
   World world = tracker.world();
   const Confidences& set = world_.confidence;
@@ -80,10 +80,10 @@ const World& FakeWorld::begin_frame(double time, const Arbitration& last, const 
   tracker.begin_frame(time);
   sense_sides(tracker);
   tracker.take_referee(world_.referee);
-  if (senses.is_pose_told) tracker.take_initial_pose();
+  if (senses.is_pose_set) tracker.take_initial_pose();
   if (world_.posture != posture_.now) posture_ = {world_.posture, posture_.now, time};
   Confidences confidence = world_.confidence;
-  if (tracker.take_posture(posture_) || senses.is_pose_told) clear_views(confidence);
+  if (tracker.take_posture(posture_) || senses.is_pose_set) clear_views(confidence);
   const SensedBelief belief{world_.pose, world_.pose_tracked, world_.recovery_probability};
   switch (tracker.take_belief(belief, senses.moved, PoseClusterParameters())) {
     case BeliefJump::none:
@@ -97,7 +97,7 @@ const World& FakeWorld::begin_frame(double time, const Arbitration& last, const 
   }
   believed_ = world_.pose.pose;
   is_pose_set_ = false;
-  tracker.permit_views(last, !senses.is_pose_told);
+  tracker.permit_views(last, !senses.is_pose_set);
   if (senses.sees) tracker.take_view();
   tracker.take_room(confidence, world_.views);
   world_ = derived(tracker);

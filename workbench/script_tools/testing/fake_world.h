@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world of a scripted test, with its own clock. The test sets what the robot senses; all else follows
+// The world of a scripted test, with its own clock. The test sets what the robot senses; all other values are computed
 // by the engine's own rules (engine/world/world_tracker.h).
 #pragma once
 
@@ -17,26 +17,27 @@ namespace reorient {
 
 /// Inputs that a scripted test cannot set: the robot stands still and receives images.
 struct FakeSenses {
-  Pose2 moved{};              ///< by the odometry, since the previous frame
-  bool is_pose_told = false;  ///< the pose was set in this frame
-  bool sees = true;           ///< there is an image
-  bool knows_tiles = true;    ///< known tiles of the wall are in it
+  Pose2 moved{};             ///< odometry since the previous frame
+  bool is_pose_set = false;  ///< the pose was set in this frame
+  bool sees = true;          ///< there is an image
+  bool knows_tiles = true;   ///< the image shows known tiles of the wall
 };
 
 class FakeWorld {
  public:
-  /// A robot that has stood on the field for so long, s. The parameters that the rules use become those of
-  /// `parameters`, which must not outlive this.
+  /// A robot that has stood on the field for some time, in s. Binds the parameters of the rules to `parameters`, which
+  /// must not outlive this.
   explicit FakeWorld(ParameterRegistry& parameters, double stood_for = 60.0);
   FakeWorld(const FakeWorld&) = delete;
   FakeWorld& operator=(const FakeWorld&) = delete;
 
-  /// As `set_world` of a test, from the next frame on. A value that would follow from others stays as it is set until a
-  /// granted command changes it. Throws as write_world(), and for the clock, which is the test bench's.
+  /// Sets a value from the next frame on, for `set_world` of a test. A derived value stays as set until a granted
+  /// command changes it. Throws like write_world(), and for the clock, which only the test bench advances.
   void set(std::string_view table, std::string_view name, const WorldValue& value);
-  /// The next frame, up to where behaviors see it, at this time (s). `last`: the arbitration of the frame before.
+  /// Starts the next frame at this time (s), up to the world that behaviors see. `last`: the arbitration of the
+  /// previous frame.
   const World& begin_frame(double time, const Arbitration& last, const FakeSenses& senses = {});
-  /// What the granted command does.
+  /// Applies the granted command.
   void end_frame(const Arbitration& arbitration);
 
   const World& world() const { return world_; }
@@ -49,7 +50,7 @@ class FakeWorld {
 
   ConfidenceParameters confidence_parameters_;
   RoomStatusParameters room_status_parameters_;
-  World world_;                 // of the last frame, and what was set since then
+  World world_;                 // of the last frame, with the values set since then
   std::set<std::string> set_;   // fields that the test has set
   Pose2 believed_;              // at the end of the last frame
   bool is_pose_set_ = false;    // since then

@@ -8,11 +8,11 @@
 namespace reorient {
 namespace {
 
-/// Two of Unicode's codes are no letters in XML 1.0.
+/// XML 1.0 does not allow these two Unicode code points.
 bool is_noncharacter(std::string_view letter) { return letter == "\xEF\xBF\xBE" || letter == "\xEF\xBF\xBF"; }
 
-/// For an element's content and an attribute in quotes. XML 1.0 has no place for most control characters, escaped or
-/// not.
+/// Text for the content of an element or for an attribute in quotes. XML 1.0 does not allow most control characters,
+/// not even escaped.
 std::string as_xml(const std::string& text) {
   const std::string utf8 = as_utf8(text);
   std::string out;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plays a recording of a run in a scripted test. The script tools cannot read recordings: the caller passes them
-// in.
+// Plays a recording of a run in a scripted test. The script tools cannot read recordings, so the caller provides them.
 #pragma once
 
 #include <functional>
@@ -19,17 +18,17 @@ class PlayedRecording {
  public:
   virtual ~PlayedRecording() = default;
 
-  /// Makes the next frame again, of what was recorded and what is added; of that only parameters, scripts' edits and
-  /// messages count. Valid until the next call; nullptr: the recording is over. Throws std::runtime_error with one
-  /// line.
+  /// Runs the next recorded frame with additional inputs, of which only parameters, edits of scripts and messages are
+  /// used. Valid until the next call; nullptr at the end of the recording. Throws std::runtime_error with one line.
   virtual const FrameRecord* step(const FrameInputs& added) = 0;
   virtual std::vector<const MachineDefinition*> machines() const = 0;
 
-  /// The first difference of the robot's actions from the recording, in words; nothing: no difference so far.
+  /// The first difference of the robot's actions from the recording, as text; empty: no difference so far.
   virtual std::optional<std::string> first_difference() const = 0;
 };
 
-/// With these scripts instead of those that were recorded. Throws std::runtime_error with one line.
+/// Opens a recording, to be run with these scripts instead of the recorded ones. Throws std::runtime_error with one
+/// line.
 using PlayRecording =
     std::function<std::unique_ptr<PlayedRecording>(const std::string& file, const ScriptTexts& scripts)>;
 

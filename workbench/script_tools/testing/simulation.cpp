@@ -4,7 +4,7 @@
 namespace reorient {
 namespace {
 
-/// Of each kind the latest are kept, however long it goes on.
+/// Stores only the latest of each type, so that a long run needs no more memory.
 template <typename Seen>
 void forget_the_oldest(std::vector<Seen>& seen) {
   constexpr std::ptrdiff_t kKept = 10'000;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The request of a scripted test for a whole scenario on a robot. The script tools have no robot: the caller passes
-// one in.
+// The request of a scripted test for a whole scenario on a robot. The script tools have no robot, so the caller
+// provides one.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ namespace reorient {
 
 struct SimulationRequest {
   std::string scenario;
-  std::vector<std::string> with;  ///< behaviors beside those of the scenario
+  std::vector<std::string> with;  ///< behaviors in addition to those of the scenario
   std::uint64_t seed = 1;
   int width = 160;         ///< of the camera image, pixels
-  double seconds = 600.0;  ///< of the robot's time, at most
-  // Where it takes place, as in a scenario: empty leaves it to that.
+  double seconds = 600.0;  ///< longest run, in the robot's time
+  // The setting, as in a scenario. Empty: the scenario's.
   std::string room;
   std::optional<std::uint64_t> hall_seed;
   std::string field;
@@ -45,7 +45,7 @@ struct SeenMachine {
   std::string state;
 };
 
-/// What was seen of some frames: of each kind at least the latest ten thousand.
+/// Observations of some frames: at least the latest ten thousand of each type.
 struct SeenFrames {
   std::vector<SeenMachine> machines;  ///< at the end
   std::vector<SeenCommand> commands;
@@ -64,7 +64,7 @@ struct SeenFrames {
   void note_machines(const NameTable& names, std::span<const MachineStatus> statuses);
 };
 
-/// Collects that from a run.
+/// Collects the observations of a run.
 class SeenObserver : public Observer {
  public:
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
@@ -80,7 +80,7 @@ struct SimulationOutcome {
   SeenFrames seen;
 };
 
-/// `stop` is called before each frame. Throws std::runtime_error with one line on a request that cannot be met.
+/// `stop` is called before each frame. Throws std::runtime_error with one line if the request is impossible.
 using Simulate =
     std::function<SimulationOutcome(const SimulationRequest&, CoverageTrace&, const std::function<bool()>& stop)>;
 

@@ -21,7 +21,7 @@ std::optional<lua_Integer> whole_number(lua_State* L, lua_Integer least, lua_Int
   return number >= least && number <= most ? std::optional(number) : std::nullopt;
 }
 
-/// The text at the stack index, for which the script pays: one text may stand in a table again and again.
+/// The text at the stack index. The script pays for it because a table may contain the same text many times.
 std::string take_text(lua_State* L, int index) {
   constexpr std::int64_t kPriceOfAText = 100;
   Sandbox::of(L).charge(kPriceOfAText + static_cast<std::int64_t>(lua_rawlen(L, index)));
@@ -104,16 +104,23 @@ bool read_room_awareness(lua_State* L, SimulationRequest& request) {
   return true;
 }
 
-/// Reads the value on top of the stack and leaves it there; false: it does not fit.
+/// A key of the table. `read` reads the value on top of the stack and leaves it there; it returns false if the value is
+/// invalid.
 struct Field {
   const char* name;
   bool (*read)(lua_State* L, SimulationRequest& request);
+  const char* expected;
 };
-constexpr Field kFields[] = {{"scenario", read_scenario}, {"with", read_with},
-                             {"seed", read_seed},         {"width", read_width},
-                             {"seconds", read_seconds},   {"room_awareness", read_room_awareness},
-                             {"room", read_room},         {"hall_seed", read_hall_seed},
-                             {"field", read_field_file},  {"params", read_parameters}};
+constexpr Field kFields[] = {{"scenario", read_scenario, "the name of a scenario"},
+                             {"with", read_with, "a list of names of behaviors"},
+                             {"seed", read_seed, "a non-negative whole number"},
+                             {"width", read_width, "160, 320, 544 or 640 pixels"},
+                             {"seconds", read_seconds, "a positive number up to 86400"},
+                             {"room_awareness", read_room_awareness, "true or false"},
+                             {"room", read_room, "the name or path of a room"},
+                             {"hall_seed", read_hall_seed, "a non-negative whole number"},
+                             {"field", read_field_file, "the name or path of a field"},
+                             {"params", read_parameters, "a table of parameter names and values"}};
 
 void read_field(lua_State* L, const std::string& key, SimulationRequest& request) {
   std::vector<std::string> known;
@@ -121,9 +128,9 @@ void read_field(lua_State* L, const std::string& key, SimulationRequest& request
     known.emplace_back(field.name);
     if (field.name != key) continue;
     if (field.read(L, request)) return;
-    throw std::runtime_error("simulate: " + key + " has no value that fits");
+    throw std::runtime_error("simulate: " + key + ": expected " + field.expected);
   }
-  throw std::runtime_error("simulate: there is no '" + key + "'" + did_you_mean(key, known));
+  throw std::runtime_error("simulate: unknown key '" + key + "'" + did_you_mean(key, known));
 }
 
 }  // namespace
@@ -132,13 +139,14 @@ SimulationRequest read_simulation_request(lua_State* L, int table) {
   luaL_checktype(L, table, LUA_TTABLE);
   SimulationRequest request;
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("simulate takes { scenario = \"...\", seed = 1 }");
+    if (lua_type(L, -2) != LUA_TSTRING)
+      throw std::runtime_error("simulate: expected names as keys, as in simulate { scenario = \"...\", seed = 1 }");
     read_field(L, lua_tostring(L, -2), request);
   }
   if (request.scenario.empty())
-    throw std::runtime_error("simulate needs a scenario: simulate { scenario = \"mirrored_placement\" }");
+    throw std::runtime_error("simulate: missing scenario, as in simulate { scenario = \"mirrored_placement\" }");
   if (request.hall_seed && !request.room.empty())
-    throw std::runtime_error("simulate takes a room or a hall_seed, not both");
+    throw std::runtime_error("simulate: expected room or hall_seed, found both");
   return request;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the table that a test gives to simulate { ... }.
+// Reads the table of simulate { ... } in a test.
 #pragma once
 
 #include <lua.hpp>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// What the table at the stack index does not name keeps its default. Throws std::runtime_error with one line.
+/// Keys that are missing in the table at the stack index keep their defaults. Throws std::runtime_error with one line.
 SimulationRequest read_simulation_request(lua_State* L, int table);
 
 }  // namespace reorient

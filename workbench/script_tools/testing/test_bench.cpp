@@ -23,7 +23,7 @@ constexpr double kLongestAdvance = 3600.0;  // s, of one advance()
 constexpr std::size_t kMostFailures = 100;
 constexpr std::size_t kLongestFailure = 10'000;  // bytes
 
-/// Throws std::runtime_error where the result were no script any more.
+/// Throws std::runtime_error if the result is larger than a script may be.
 std::string replace_all(const std::string& text, const std::string& from, const std::string& to) {
   std::string result;
   std::size_t copied = 0;
@@ -143,7 +143,7 @@ void TestBench::fail(const std::string& expected, const std::string& actual) {
   fail("expected " + expected + "\n  actual " + actual);
 }
 
-/// Ends the test where it has used what it may: no pcall of a script catches that.
+/// Ends the test if it has exceeded its limits. The `pcall` of a script cannot catch that.
 void TestBench::require_budget(lua_State* L) {
   const bool has_failed_enough = failures_.size() >= kMostFailures;
   if (!has_failed_enough && !budget_.exceeded()) return;
@@ -159,10 +159,11 @@ std::vector<TestFailure> TestBench::finish() {
   if (scenario_) {
     for (const Parameter& parameter : scenario_->parameters().list()) known.push_back(parameter.name);
   }
-  for (auto& [name, place] : set_early_) {
+  for (auto& [name, place] : early_changes_) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     if (failures_.size() > kMostFailures) break;
-    place.text = "there is no parameter '" + shortened(name) + "' in what this test loads" + did_you_mean(name, known);
+    place.text =
+        "unknown parameter '" + shortened(name) + "' of the scripts that this test loads" + did_you_mean(name, known);
     failures_.push_back(std::move(place));
   }
   for (const ScriptFault& fault : faults_) {
@@ -173,7 +174,7 @@ std::vector<TestFailure> TestBench::finish() {
   return failures_;
 }
 
-// ---- what a test does
+// ---- functions of a test
 
 int TestBench::load_behavior(lua_State* L) {
   require_fake_world("load_behavior");
@@ -182,9 +183,9 @@ int TestBench::load_behavior(lua_State* L) {
   ScriptHost& host = behaviors().host();
   const std::size_t before = host.definitions().size();
   host.load(script);
-  if (host.definitions().size() == before) throw std::runtime_error("'" + name + "' is loaded already");
+  if (host.definitions().size() == before) throw std::runtime_error("load_behavior: '" + name + "' is already loaded");
   last_script_ = name;
-  look_at_machines();
+  read_machines();
   return 0;
 }
 
@@ -193,7 +194,7 @@ int TestBench::load_scenario(lua_State* L) {
   last_script_ = luaL_checkstring(L, 1);
   scenario_ = std::make_unique<ScenarioHost>(texts_, script_named(root_, last_script_), changes_, recorded_);
   for (const std::string& behavior : scenario_->wanted_behaviors()) behaviors().host().load(behavior);
-  look_at_machines();
+  read_machines();
   return 0;
 }
 
@@ -203,12 +204,14 @@ int TestBench::set_world(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING || lua_type(L, -1) != LUA_TTABLE) {
-      throw std::runtime_error("set_world takes tables of world fields: set_world { robot = { posture = \"lying\" } }");
+      throw std::runtime_error(
+          "set_world: expected tables of world fields, as in set_world { robot = { posture = \"lying\" } }");
     }
     const std::string table = lua_tostring(L, -2);
     const int fields = lua_gettop(L);
     for (lua_pushnil(L); lua_next(L, fields) != 0; lua_pop(L, 1)) {
-      if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("set_world: a field of " + table + " has a name");
+      if (lua_type(L, -2) != LUA_TSTRING)
+        throw std::runtime_error("set_world: expected the name of a field of " + table + ", found another key");
       WorldValue value;
       if (lua_type(L, -1) == LUA_TBOOLEAN) {
         value.type = WorldField::Type::boolean;
@@ -219,7 +222,7 @@ int TestBench::set_world(lua_State* L) {
       } else if (lua_type(L, -1) == LUA_TNUMBER) {
         value.number = lua_tonumber(L, -1);
       } else {
-        throw std::runtime_error("set_world takes numbers, strings, true and false");
+        throw std::runtime_error("set_world: expected a number, a string, true or false");
       }
       if (table == "truth") {
         if (!truth_) truth_.emplace();
@@ -228,7 +231,7 @@ int TestBench::set_world(lua_State* L) {
         const bool was_known = world().pose_known;
         fake_world_.set(table, lua_tostring(L, -2), value);
         // Later, the pose becomes known because it is set.
-        is_pose_told_ |= frame_ > 0 && world().pose_known && !was_known;
+        is_pose_set_ |= frame_ > 0 && world().pose_known && !was_known;
       }
     }
   }
@@ -236,7 +239,7 @@ int TestBench::set_world(lua_State* L) {
 }
 
 void TestBench::set_param(std::string_view name, std::string_view value) {
-  // Each is kept, for scenarios that are loaded later.
+  // Each change is stored for scenarios that are loaded later, so it has a price.
   constexpr std::int64_t kPriceOfAChange = 1000;
   Sandbox::of(lua_).charge(kPriceOfAChange + static_cast<std::int64_t>(name.size() + value.size()));
   const ParameterChange change{std::string(name), std::string(value), ParameterOrigin::live, ""};
@@ -251,29 +254,29 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
   }
   const bool is_known =
       parameters_.find(name) != nullptr || (scenario_ && scenario_->parameters().find(name) != nullptr);
-  if (!is_known) set_early_.emplace(name, failure_here(""));
+  if (!is_known) early_changes_.emplace(name, failure_here(""));
   parameters_.set_early(change);
 }
 
 void TestBench::hear(std::int64_t sender, std::string_view text) {
   std::vector<Message>& heard = replay_ ? added_.external.messages : heard_;
   if (heard.size() >= kMostMessages)
-    throw std::runtime_error("hear: at most " + std::to_string(kMostMessages) + " messages come with a frame");
+    throw std::runtime_error("hear: expected at most " + std::to_string(kMostMessages) + " messages in a frame");
   heard.push_back(message_of(sender, text));
 }
 
-/// What is expected is expected of the frames that follow; of transitions, of all.
+/// Expectations apply to the frames that follow; expectations of transitions apply to all frames.
 void TestBench::begin_advance() {
   std::vector<SeenTransition> before = std::move(seen_.transitions);
   seen_ = {};
   seen_.transitions = std::move(before);
 }
 
-/// Runs as many frames as fit into the time, one at least.
+/// Runs the frames of this time, at least one.
 int TestBench::advance(lua_State* L) {
   const double seconds = lua::Value<double>::read(L, 1);
   if (!(seconds >= 0.0 && seconds <= kLongestAdvance))
-    throw std::runtime_error("advance takes seconds, from 0 to 3600");
+    throw std::runtime_error("advance: expected seconds from 0 to 3600");
   if (replay_) {
     advance_to(world().time + std::max(seconds, world().time_step));
     return 0;
@@ -285,16 +288,16 @@ int TestBench::advance(lua_State* L) {
     step();
     budget_.spend(1.0 / kFramesPerSecond);
   }
-  look_at_machines();
+  read_machines();
   faults_.insert(faults_.end(), seen_.faults.begin(), seen_.faults.end());
   return 0;
 }
 
-/// One frame as the engine runs it, with a fake world; then the scenario's.
+/// Runs one frame of the behaviors as the engine does, but with a fake world, then the scenario.
 void TestBench::step() {
   Behaviors& scripts = behaviors();
   const World& world = fake_world_.begin_frame(static_cast<double>(frame_) / kFramesPerSecond, arbiter_.last(),
-                                               {.is_pose_told = std::exchange(is_pose_told_, false)});
+                                               {.is_pose_set = std::exchange(is_pose_set_, false)});
   ++frame_;
   scripts.tick(world, heard_);
   heard_.clear();
@@ -319,7 +322,7 @@ void TestBench::step() {
   }
 }
 
-void TestBench::look_at_machines() {
+void TestBench::read_machines() {
   seen_.machines.clear();
   if (replay_) {
     seen_.machines = replayed_machines_;
@@ -338,18 +341,19 @@ std::string TestBench::file_of(const std::string& script) const {
     std::string file = folder + script + (script.ends_with(".lua") ? "" : ".lua");
     if (texts_.find(file) != nullptr) return file;
   }
-  throw std::runtime_error("there is no script '" + script + "'");
+  throw std::runtime_error("reload: unknown script '" + script + "'");
 }
 
-/// reload { from = "text", to = "text", file = "lib/walk.lua" }; without a file the script that was loaded last.
+/// reload { from = "text", to = "text", file = "lib/walk.lua" }. Without `file` it edits the script that was loaded
+/// last.
 int TestBench::reload(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   const std::vector<std::string> known{"from", "to", "file"};
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::runtime_error("reload: there is no '" + name + "'" + did_you_mean(name, known));
-    if (lua_type(L, -1) != LUA_TSTRING) throw std::runtime_error("reload: " + name + " is a string");
+      throw std::runtime_error("reload: unknown key '" + name + "'" + did_you_mean(name, known));
+    if (lua_type(L, -1) != LUA_TSTRING) throw std::runtime_error("reload: " + name + ": expected a string");
   }
   const std::string from = text_field(L, 1, "from");
   const std::string to = text_field(L, 1, "to");
@@ -357,7 +361,7 @@ int TestBench::reload(lua_State* L) {
   const std::string file = file_of(named.empty() ? last_script_ : named);
   const std::string& text = texts_.find(file)->text;
   if (from.empty() || text.find(from) == std::string::npos)
-    throw std::runtime_error(file + " does not contain \"" + from + "\"");
+    throw std::runtime_error("reload: " + file + " does not contain \"" + from + "\"");
   const ScriptEdit edit{file, ScriptText{replace_all(text, from, to), ""}};
   texts_.apply(edit);
   refused_.reset();
@@ -370,17 +374,17 @@ int TestBench::reload(lua_State* L) {
   for (ReloadRecord& reload : reloads) {
     if (!reload.accepted) refused_ = std::move(reload.fault);
   }
-  look_at_machines();
+  read_machines();
   return 0;
 }
 
-/// simulate { scenario = "mirrored_placement", seed = 1, params = { ["decision.false_flips"] = 1 } }: from beginning to
-/// end.
+/// simulate { scenario = "mirrored_placement", seed = 1, params = { ["decision.false_flips"] = 1 } } runs the whole
+/// scenario.
 int TestBench::simulate(lua_State* L) {
   SimulationRequest request = read_simulation_request(L, 1);
   if (!simulate_) {
     needs_simulator_ = true;
-    throw std::runtime_error("there is no simulator here");
+    throw std::runtime_error("simulate: missing simulator (run reorient test --simulator)");
   }
   request.seconds = std::min(request.seconds, budget_.robot_seconds_left());
   SimulationOutcome outcome = simulate_(request, trace_, [this] { return budget_.exceeded(); });

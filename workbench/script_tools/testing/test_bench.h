@@ -33,25 +33,25 @@ struct TestFailure {
 /// The text, shortened for messages.
 std::string shortened(std::string text);
 
-/// One test's bench: what `load_behavior`, `set_world`, `advance`, `reload` and `expect` of a test act on.
+/// The environment of one test, on which `load_behavior`, `set_world`, `advance`, `reload` and `expect` act.
 class TestBench {
  public:
-  /// `texts`: of the scripts below the root. `simulate` may be empty: then simulate() ends the test, and
-  /// needs_simulator() says why. `play_recording` may be empty, too: then replay() is an error.
+  /// `texts`: all scripts below the root. If `simulate` is empty, simulate() ends the test and needs_simulator() is
+  /// true. If `play_recording` is empty, replay() is an error.
   TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
             const PlayRecording& play_recording, TestBudget& budget, CoverageTrace& trace);
 
-  /// Makes the functions as globals of `L`.
+  /// Adds the functions to the globals of `L`.
   void add_to(lua_State* L);
 
   /// All failures so far, including unexpected errors of scripts.
   std::vector<TestFailure> finish();
   bool needs_simulator() const { return needs_simulator_; }
-  /// It was ended for that, and finish() says so.
+  /// The test was ended because of its budget; finish() lists that as a failure.
   bool exceeded_budget() const { return exceeded_budget_; }
 
  private:
-  // What a test does.
+  // Functions of a test.
   int load_behavior(lua_State* L);
   int load_scenario(lua_State* L);
   int set_world(lua_State* L);
@@ -65,7 +65,7 @@ class TestBench {
   void advance_to(double time);
   int world_value(lua_State* L);
 
-  // What it expects of the frames of the last advance(), or of a simulation: test_expectations.cpp.
+  // Expectations of the frames of the last advance(), or of a simulation: test_expectations.cpp.
   void expect_state(std::string_view machine, std::string_view path);
   void expect_reason(std::string_view machine, std::string_view text);
   void expect_command(std::string_view name, std::optional<std::string_view> verdict);
@@ -74,7 +74,7 @@ class TestBench {
   void expect_no_lease(std::string_view name);
   void expect_head(double yaw, double pitch);
   void expect_walk(double forward, double left, double turn);
-  void expect_get_up(bool wanted);
+  void expect_get_up(bool requested);
   void expect_log(std::string_view text);
   void expect_message(std::string_view text);
   void expect_action(std::string_view name);
@@ -96,7 +96,7 @@ class TestBench {
   void require_fake_world(const char* what) const;
   void require_budget(lua_State* L);
   void require_state(std::string_view machine, std::string_view path);
-  void look_at_machines();
+  void read_machines();
   void fail(const std::string& expected, const std::string& actual);
   void fail(const std::string& text);
   TestFailure failure_here(const std::string& text) const;
@@ -117,31 +117,31 @@ class TestBench {
 
   ParameterRegistry parameters_;
   std::vector<ParameterChange> changes_;  ///< for a scenario that is loaded later
-  /// What was set before anybody declared it, and where in the test.
-  std::map<std::string, TestFailure> set_early_;
+  /// Parameters that were set before a script declared them, with the position in the test.
+  std::map<std::string, TestFailure> early_changes_;
   ArbiterParameters arbiter_parameters_;
   ScriptLimits limits_;
   FakeWorld fake_world_{parameters_};
-  bool is_pose_told_ = false;  ///< since the last frame
+  bool is_pose_set_ = false;  ///< since the last frame
   long frame_ = 0;
   World replayed_world_;        ///< of the last frame of a replay
-  std::vector<Message> heard_;  ///< that comes with the next frame
+  std::vector<Message> heard_;  ///< sent with the next frame
   std::optional<GroundTruth> truth_;
   std::unique_ptr<Behaviors> behaviors_;
-  RecordedBehaviors recorded_;  ///< what the scenario sees of the behaviors
+  RecordedBehaviors recorded_;  ///< the behaviors as the scenario sees them
   std::unique_ptr<ScenarioHost> scenario_;
   Arbiter arbiter_;
   std::string last_script_;
 
   std::unique_ptr<PlayedRecording> replay_;  ///< used by the test instead of a fake world
-  FrameInputs added_;                        ///< to its next frame
+  FrameInputs added_;                        ///< to the next frame of the replay
   std::vector<SeenMachine> replayed_machines_;
 
   std::vector<TestFailure> failures_;
   std::vector<ScriptFault> faults_;      ///< not yet expected
   std::optional<ScriptFault> refused_;   ///< not yet expected
   SeenFrames seen_;                      ///< in the last advance(); transitions: in the whole test
-  std::vector<Lease> leases_;            ///< held after it
+  std::vector<Lease> leases_;            ///< active after it
   std::vector<MachineStatus> statuses_;  ///< of the behaviors, after it
   std::vector<NameId> published_;
   Request request_;

@@ -46,7 +46,7 @@ std::string TestBudget::reason() const {
     const double seconds = file_ == nullptr ? kTestsOfAFile * timeout_ : timeout_;
     return what + " took more than " + to_text(seconds) + " s; --timeout SECONDS gives each test more";
   }
-  return what + " let more than " + to_text(robot_seconds_) + " s of the robot's time pass";
+  return what + " took more than " + to_text(robot_seconds_) + " s of the robot's time";
 }
 
 }  // namespace reorient

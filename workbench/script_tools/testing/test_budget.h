@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of a scripted test: work in C++ costs its script no instructions, but time.
+// Limits of a scripted test in time, because work in C++ is not counted as instructions of the script.
 #pragma once
 
 #include <chrono>
@@ -10,21 +10,21 @@ namespace reorient {
 
 class TestBudget {
  public:
-  /// A file's: `timeout` is a test's, s in wall-clock time. `stop` may be empty: then no interrupt.
+  /// The budget of a file. `timeout`: wall-clock time of one test, s. `stop` may be empty: no interrupt.
   TestBudget(double timeout, std::function<bool()> stop);
-  /// One test's, within its file's.
+  /// The budget of one test, within that of its file.
   explicit TestBudget(TestBudget& file);
 
   void spend(double robot_seconds);
-  double robot_seconds_left() const;  ///< of the test or of the file, whichever is less; not negative
+  double robot_seconds_left() const;  ///< the smaller one of test and file; not negative
 
   bool exceeded() const { return is_interrupted() || is_late() || robot_seconds_left() <= 0.0; }
   bool is_interrupted() const { return stop_ && stop_(); }
   /// The exceeded limit as text.
   std::string reason() const;
 
-  static constexpr double kRobotSeconds = 36000.0;  ///< of one test
-  static constexpr double kTestsOfAFile = 10.0;     ///< a file has this many times what a test has
+  static constexpr double kRobotSeconds = 36000.0;  ///< for one test
+  static constexpr double kTestsOfAFile = 10.0;     ///< ratio of the limits of a file and of a test
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests expect of the frames of the last advance() or of a simulation.
+// Expectations of tests about the frames of the last advance() or of a simulation.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -31,13 +31,12 @@ void require_name(std::string_view what, std::string_view name) {
   };
   (list(Enums{}), ...);
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  throw std::runtime_error("there is no " + std::string(what) + " '" + std::string(name) + "'" +
-                           did_you_mean(name, known));
+  throw std::runtime_error("unknown " + std::string(what) + " '" + std::string(name) + "'" + did_you_mean(name, known));
 }
 
 }  // namespace
 
-/// Where the machine is loaded here, so that its states are known.
+/// Throws if the machine is loaded and does not have this state.
 void TestBench::require_state(std::string_view machine, std::string_view path) {
   std::vector<const MachineDefinition*> all = replay_ ? replay_->machines() : behaviors().host().definitions();
   if (scenario_) {
@@ -47,7 +46,7 @@ void TestBench::require_state(std::string_view machine, std::string_view path) {
     if (definition->name != machine || definition->find(std::string(path)) >= 0) continue;
     std::vector<std::string> paths;
     for (const StateDefinition& state : definition->states) paths.push_back(state.path);
-    throw std::runtime_error(std::string(machine) + " has no state " + in_quotes(path) + did_you_mean(path, paths));
+    throw std::runtime_error(std::string(machine) + ": unknown state " + in_quotes(path) + did_you_mean(path, paths));
   }
 }
 
@@ -59,7 +58,7 @@ void TestBench::expect_state(std::string_view machine, std::string_view path) {
       fail(std::string(machine) + " in state " + in_quotes(path), "in state " + in_quotes(seen.state));
     return;
   }
-  fail("no behavior " + in_quotes(machine) + " is loaded");
+  fail("behavior " + in_quotes(machine) + " is not loaded");
 }
 
 void TestBench::expect_reason(std::string_view machine, std::string_view text) {
@@ -67,7 +66,8 @@ void TestBench::expect_reason(std::string_view machine, std::string_view text) {
   for (const SeenTransition& transition : seen_.transitions) {
     if (transition.machine == machine) last = transition.reason;
   }
-  if (last != text) fail("the last reason of " + std::string(machine) + " " + in_quotes(text), in_quotes(last));
+  if (last != text)
+    fail("reason " + in_quotes(text) + " of the last transition of " + std::string(machine), in_quotes(last));
 }
 
 std::string TestBench::commands_seen() const {
@@ -101,12 +101,12 @@ bool TestBench::has_lease(std::string_view name) const {
 
 void TestBench::expect_lease(std::string_view name) {
   require_name<Pause>("pause", name);
-  if (!has_lease(name)) fail(std::string(name) + " held", "not held");
+  if (!has_lease(name)) fail(std::string(name) + " active", "not active");
 }
 
 void TestBench::expect_no_lease(std::string_view name) {
   require_name<Pause>("pause", name);
-  if (has_lease(name)) fail(std::string(name) + " not held", "held");
+  if (has_lease(name)) fail(std::string(name) + " not active", "active");
 }
 
 void TestBench::expect_head(double yaw, double pitch) {
@@ -124,8 +124,9 @@ void TestBench::expect_walk(double forward, double left, double turn) {
   if (!same) fail("walk with " + numbers({forward, left, turn}), numbers({walk.forward, walk.left, walk.turn}));
 }
 
-void TestBench::expect_get_up(bool wanted) {
-  if (request_.get_up != wanted) fail(wanted ? "getting up" : "not getting up", "the contrary");
+void TestBench::expect_get_up(bool requested) {
+  if (request_.get_up != requested)
+    fail(requested ? "a request to get up" : "no request to get up", requested ? "no request" : "a request");
 }
 
 void TestBench::expect_text(std::string_view text, const std::vector<std::string>& seen, const std::string& what) {
@@ -170,13 +171,13 @@ void TestBench::expect_error(std::string_view text) {
 }
 
 void TestBench::expect_refused(std::string_view text) {
-  if (!refused_) return fail("the reload refused with " + in_quotes(text), "it was accepted");
+  if (!refused_) return fail("a rejected reload with " + in_quotes(text), "an accepted reload");
   const std::string seen = refused_->text();
-  if (seen.find(text) == std::string::npos) fail("the reload refused with " + in_quotes(text), in_quotes(seen));
+  if (seen.find(text) == std::string::npos) fail("a rejected reload with " + in_quotes(text), in_quotes(seen));
   refused_.reset();
 }
 
-/// Tables are the same when all their fields are.
+/// Tables are equal if all their fields are equal.
 int TestBench::expect_equal(lua_State* L) {
   luaL_checkany(L, 2);
   const std::string differences = value_differences(L, 1, 2);

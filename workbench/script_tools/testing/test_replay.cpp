@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests do with a recording: the frames that were recorded, with the behaviors that there are now.
+// Functions of tests that replay a recording: the recorded frames with the current behaviors.
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
@@ -17,12 +17,13 @@ constexpr double kTimeTolerance = 1e-6;  // s: times of frames are sums of round
 
 }  // namespace
 
-/// replay "recordings/flip.mcap": advance() and advance_to() go on in it.
+/// replay "recordings/flip.mcap" loads a recording; advance() and advance_to() continue it.
 void TestBench::replay(std::string_view file) {
   if (behaviors_ || scenario_)
     throw std::runtime_error("replay: this test has already loaded behaviors for a fake world (use a separate test)");
-  if (file.find('\0') != std::string_view::npos) throw std::runtime_error("replay: no file has such a name");
-  // To open one takes the time of so many instructions.
+  if (file.find('\0') != std::string_view::npos)
+    throw std::runtime_error("replay: expected a file name without zero bytes");
+  // Opening a recording takes about as much time as this number of instructions.
   constexpr std::int64_t kPriceOfARecording = 1'000'000;
   Sandbox::of(lua_).charge(kPriceOfARecording);
   if (!play_recording_) throw std::runtime_error("replay: recordings are not supported here");
@@ -30,14 +31,15 @@ void TestBench::replay(std::string_view file) {
   added_ = {};
   seen_ = {};
   step_replay();
-  look_at_machines();
+  read_machines();
 }
 
 void TestBench::require_fake_world(const char* what) const {
-  if (replay_) throw std::runtime_error(std::string(what) + ": the world of a replay is the one that was recorded");
+  if (replay_)
+    throw std::runtime_error(std::string(what) + ": expected a fake world, found a replay (its world was recorded)");
 }
 
-/// False: there is no next frame.
+/// False at the end of the recording.
 bool TestBench::step_replay() {
   const FrameRecord* const frame = replay_->step(std::exchange(added_, {}));
   if (frame == nullptr) return false;
@@ -69,17 +71,18 @@ bool TestBench::step_replay() {
 void TestBench::advance_to(double time) {
   if (!replay_) throw std::runtime_error("advance_to: no recording is loaded (call replay \"FILE\" first)");
   if (!(time >= replayed_world_.time - kTimeTolerance))
-    throw std::runtime_error("advance_to: this replay is at " + std::to_string(replayed_world_.time) + " s already");
+    throw std::runtime_error("advance_to: expected a later time, this replay is already at " +
+                             std::to_string(replayed_world_.time) + " s");
   begin_advance();
   while (replayed_world_.time + 0.5 * replayed_world_.time_step <= time) {
     require_budget(lua_);
     if (!step_replay())
       throw std::runtime_error("the recording ends at " + std::to_string(replayed_world_.time) + " s");
   }
-  look_at_machines();
+  read_machines();
 }
 
-/// Of this frame, as behaviors see it.
+/// A value of the world in this frame, as behaviors see it.
 int TestBench::world_value(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   const std::span<const WorldField> all = world_fields();
@@ -88,7 +91,7 @@ int TestBench::world_value(lua_State* L) {
   if (field == all.end()) {
     std::vector<std::string> known;
     for (const WorldField& each : all) known.push_back(each.full_name());
-    throw std::runtime_error("the world has no '" + name + "'" + did_you_mean(name, known));
+    throw std::runtime_error("world_value: unknown world field '" + name + "'" + did_you_mean(name, known));
   }
   std::vector<double> values;
   append_world(world(), values);
@@ -107,7 +110,7 @@ int TestBench::world_value(lua_State* L) {
 void TestBench::expect_as_recorded() {
   if (!replay_) throw std::runtime_error("expect.as_recorded: no recording is loaded (call replay \"FILE\" first)");
   if (const std::optional<std::string> difference = replay_->first_difference())
-    fail("the robot to act as it was recorded", *difference);
+    fail("the recorded actions of the robot", *difference);
 }
 
 }  // namespace reorient

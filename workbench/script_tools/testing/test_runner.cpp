@@ -23,11 +23,11 @@ ScriptLimits test_limits() {
   return limits;
 }
 
-constexpr std::size_t kMostTests = 2000;  // of a file, which runs again for each
+constexpr std::size_t kMostTests = 2000;  // in a file, which runs again for each test
 constexpr std::size_t kLongestName = 200;
 
-/// A file of tests, run from its top in a sandbox of its own. Each test gets a new one: what one does to globals, to
-/// library tables or to the file's own locals, no other sees.
+/// A file of tests, run from its top in its own sandbox. Each test gets a new one, so that no test sees the changes of
+/// another test to globals, to library tables or to the locals of the file.
 class TestFile {
  public:
   TestFile(const std::string& name, const std::string& text, std::int64_t instructions)
@@ -44,7 +44,7 @@ class TestFile {
   TestFile(const TestFile&) = delete;
   TestFile& operator=(const TestFile&) = delete;
 
-  /// Of running it from top to bottom.
+  /// The error of running the file from top to bottom.
   const std::optional<ScriptFault>& fault() const { return fault_; }
   std::vector<std::string> names() const {
     std::vector<std::string> names;
@@ -75,15 +75,16 @@ class TestFile {
   static int declare(lua_State* L) {
     auto& self = *static_cast<TestFile*>(lua_touserdata(L, lua_upvalueindex(1)));
     if (!self.is_declaring_)
-      return luaL_error(L, "a test runs: declare tests at the top of the file, not inside of one");
+      return luaL_error(L,
+                        "test: unexpected declaration in a running test (declare tests at the top level of the file)");
     std::size_t length = 0;
     const char* const name = luaL_checklstring(L, 1, &length);
     luaL_checktype(L, 2, LUA_TFUNCTION);
     lua_settop(L, 2);
     if (length > kLongestName)
-      return luaL_error(L, "a test's name has at most %d letters", static_cast<int>(kLongestName));
+      return luaL_error(L, "test: expected a name of at most %d characters", static_cast<int>(kLongestName));
     if (self.tests_.size() >= kMostTests)
-      return luaL_error(L, "a file has at most %d tests", static_cast<int>(kMostTests));
+      return luaL_error(L, "test: expected at most %d tests in a file", static_cast<int>(kMostTests));
     self.tests_.emplace_back(std::string(name, length), luaL_ref(L, LUA_REGISTRYINDEX));
     return 0;
   }
@@ -116,8 +117,9 @@ class FileRun {
         continue;
       }
       if (file == nullptr) file = run_again();
-      take(file->names() == names ? file->run(i, run_, texts_, budget_, trace)
-                                  : failed(names[i], "the file declares other tests each time that it is run"));
+      take(file->names() == names
+               ? file->run(i, run_, texts_, budget_, trace)
+               : failed(names[i], "expected the same tests each time the file runs, found different tests"));
       file.reset();
     }
   }
@@ -148,11 +150,12 @@ std::vector<std::filesystem::path> find_tests(std::span<const std::filesystem::p
         if (is_test(entry->path())) files.push_back(entry->path());
       }
       std::sort(files.begin() + static_cast<std::ptrdiff_t>(before), files.end());
-      if (files.size() == before) throw std::runtime_error(path.string() + ": no file *_test.lua in this folder");
+      if (files.size() == before)
+        throw std::runtime_error(path.string() + ": expected a file *_test.lua in this folder, found none");
     } else if (std::filesystem::is_regular_file(path, error)) {
       files.push_back(path);
     } else {
-      throw std::runtime_error(path.string() + ": there is no such test");
+      throw std::runtime_error(path.string() + ": file or folder not found");
     }
   }
   return files;
@@ -164,7 +167,7 @@ std::string read(const std::filesystem::path& file) {
   return std::move(*text);
 }
 
-/// Every line of the text, set in.
+/// The text with each line indented.
 std::string indented(const std::string& text, const std::string& margin) {
   std::istringstream lines(text);
   std::string out;
@@ -203,8 +206,8 @@ TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrac
     if (summary.interrupted) break;
   }
   out << summary.passed << " passed, " << summary.failed << " failed";
-  if (summary.interrupted) out << ", interrupted before the rest";
-  if (summary.skipped > 0) out << ", " << summary.skipped << " skipped that want the simulator (--simulator)";
+  if (summary.interrupted) out << ", interrupted before the remaining tests";
+  if (summary.skipped > 0) out << ", " << summary.skipped << " skipped because they need the simulator (--simulator)";
   out << "\n";
   return summary;
 }

@@ -18,7 +18,7 @@ namespace reorient {
 struct TestCase {
   std::string file;
   std::string name;
-  std::vector<TestFailure> failures;  ///< none: it passed
+  std::vector<TestFailure> failures;  ///< empty: it passed
   bool skipped = false;               ///< it requires the simulator, which is not available
 };
 
@@ -27,27 +27,27 @@ struct TestSummary {
   int passed = 0;
   int failed = 0;
   int skipped = 0;
-  bool interrupted = false;  ///< there would have been more
+  bool interrupted = false;  ///< it ended before the last test
 };
 
 /// Configuration of a run of tests.
 struct TestRun {
   std::filesystem::path scripts_root;
-  std::vector<std::filesystem::path> paths;  ///< files and folders; none: all of scripts_root/tests
+  std::vector<std::filesystem::path> paths;  ///< files and folders; empty: all of scripts_root/tests
   Simulate simulate;                         ///< empty: tests that require the simulator are skipped
   PlayRecording play_recording;              ///< empty: tests that replay a recording fail
-  double timeout = 60.0;                     ///< s in wall-clock time, of each test; a file has ten times that
+  double timeout = 60.0;                     ///< s in wall-clock time for each test; a file has ten times that
   std::function<bool()> stop;                ///< called before each frame; empty: no interrupt
-  std::int64_t instructions = 50'000'000;    ///< of Lua, that each test may run
+  std::int64_t instructions = 50'000'000;    ///< limit of Lua instructions for each test
 };
 
 /// Writes one line per test and each failure with file, line, expected and actual value. Fills `trace`
 /// with the covered states and transitions. Each test runs in a fresh sandbox, after its file has run again in it.
-/// Throws std::runtime_error with one line when a path does not exist or holds no tests.
+/// Throws std::runtime_error with one line if a path does not exist or contains no tests.
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
 
-/// The tests of one file's text, beside these scripts; run.paths are not looked at. Calls `take` with each case as soon
-/// as there is one.
+/// Runs the tests of one file's text with these scripts; run.paths is not used. Calls `take` with each case as soon as
+/// it is complete.
 void run_test_text(const std::string& name, const std::string& text, const TestRun& run, const ScriptTexts& scripts,
                    CoverageTrace& trace, const std::function<void(TestCase)>& take);
 

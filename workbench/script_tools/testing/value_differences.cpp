@@ -35,11 +35,11 @@ class ValueComparison {
     pay(path);
     if (lua_rawequal(lua_, actual, expected) != 0 || lines_.size() >= kMostLines) return;
     if (!lua_istable(lua_, actual) || !lua_istable(lua_, expected) || depth_ >= kDeepest) {
-      // 1 and 1.0 are raw-equal; texts are values too, so whatever comes here differs.
+      // 1 and 1.0 are raw-equal, and equal texts are, too. So the values differ here.
       return note(path, text_of(lua_, expected), text_of(lua_, actual));
     }
     ++depth_;
-    luaL_checkstack(lua_, 8, "the tables nest too deeply");
+    luaL_checkstack(lua_, 8, "the tables are nested too deeply");
     for (lua_pushnil(lua_); lua_next(lua_, expected) != 0; lua_pop(lua_, 1)) {
       const int value = lua_gettop(lua_);
       lua_pushvalue(lua_, value - 1);
@@ -64,7 +64,7 @@ class ValueComparison {
   }
 
  private:
-  /// Of tables that stand in each other again and again there are more fields than anybody can wait for.
+  /// Charges the script, because tables that contain each other many times have too many fields to compare.
   void pay(const std::string& path) {
     constexpr std::int64_t kPriceOfAField = 10;
     Sandbox::of(lua_).charge(kPriceOfAField + static_cast<std::int64_t>(path.size()));
