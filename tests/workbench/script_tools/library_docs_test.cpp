@@ -193,7 +193,7 @@ way.HERE = 1
 return way)")};
   const std::string page = script_reference(modules);
   EXPECT_NE(page.find("### `lib.way`\nWays.\n\n"
-                      "| name | takes | gives | what it is |\n|---|---|---|---|\n"
+                      "| name | arguments | result | what it is |\n|---|---|---|---|\n"
                       "| `go(x?)` | `x: number` m | `found: table<string, number>` | Goes \\| there. |\n"
                       "| `HERE` |  | `number` | Where. |\n\n"),
             std::string::npos)

@@ -19,22 +19,22 @@ std::string with(std::string text, char from, const std::string& to) {
   return text;
 }
 
-/// Nothing in it ends a line, a label or a statement of Mermaid's.
+/// Replaces characters that would end a line, a label or a statement of Mermaid.
 std::string mermaid_text(const std::string& text) {
   return with(with(with(as_line(text), '#', "#35;"), '"', "'"), ':', "#58;");
 }
 
-/// In quotes: nothing in it is taken for markup.
+/// The text in quotes, without markup.
 std::string mermaid_label(const std::string& text) {
   return '"' + with(with(with(mermaid_text(text), '<', "#lt;"), '>', "#gt;"), '`', "'") + '"';
 }
 
-/// In quotes.
+/// The text in quotes, for Graphviz.
 std::string dot_text(const std::string& text) {
   return '"' + with(with(as_line(text), '\\', "\\\\"), '"', "\\\"") + '"';
 }
 
-/// The reason, and how long it takes.
+/// The reason and the dwell times.
 std::string transition_label(const TransitionDefinition& transition) {
   std::string text = transition.because;
   if (transition.lasting.kind != Dwell::Kind::none) text += " [for " + transition.lasting.text + "]";
@@ -43,13 +43,13 @@ std::string transition_label(const TransitionDefinition& transition) {
   return text;
 }
 
-/// One machine of a picture, with identifiers of letters, digits and _ that differ from all others in it.
+/// One machine of a picture. Its identifiers consist of letters, digits and _, and are unique in the picture.
 struct DrawnMachine {
   const MachineDefinition& machine;
   std::string id;
-  std::vector<std::string> states;  ///< of state 0: the node "any state"
-  std::vector<std::string> starts;  ///< the dots from which the arrows to initial states lead
-  bool has_common_way = false;      ///< some transition is the machine's own, and leads out of whichever state
+  std::vector<std::string> states;     ///< identifiers; state 0: the node "any state"
+  std::vector<std::string> starts;     ///< the dots at the start of the arrows to initial states
+  bool has_common_transition = false;  ///< some transition belongs to the machine itself and leaves any state
 };
 
 std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> machines) {
@@ -71,7 +71,8 @@ std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> mach
     }
     for (std::size_t i = 0; i < machine.states.size(); ++i)
       drawn.starts.push_back(fresh((i == 0 ? prefix : drawn.states[i] + "_") + "start"));
-    for (const TransitionDefinition& transition : machine.transitions) drawn.has_common_way |= transition.from == 0;
+    for (const TransitionDefinition& transition : machine.transitions)
+      drawn.has_common_transition |= transition.from == 0;
     all.push_back(std::move(drawn));
   }
   return all;
@@ -93,7 +94,7 @@ void add_states_of_diagram(std::string& out, const DrawnMachine& drawn, int oute
 std::string state_diagram(const DrawnMachine& drawn) {
   std::string out = "stateDiagram-v2\n";
   add_states_of_diagram(out, drawn, 0, "  ");
-  if (drawn.has_common_way) out += "  state \"any state\" as " + drawn.states[0] + "\n";
+  if (drawn.has_common_transition) out += "  state \"any state\" as " + drawn.states[0] + "\n";
   for (const TransitionDefinition& transition : drawn.machine.transitions) {
     out += "  " + drawn.states[transition.from] + " --> " + drawn.states[transition.to] + " : " +
            mermaid_text(transition_label(transition)) + "\n";
@@ -120,7 +121,7 @@ std::string flowchart(std::span<const DrawnMachine> machines, std::span<const Ma
   std::string out = "flowchart TB\n";
   for (const DrawnMachine& drawn : machines) {
     out += "  subgraph " + drawn.id + "[" + mermaid_label(drawn.machine.name) + "]\n";
-    if (drawn.has_common_way) out += "    " + drawn.states[0] + "([\"any state\"])\n";
+    if (drawn.has_common_transition) out += "    " + drawn.states[0] + "([\"any state\"])\n";
     add_states_of_chart(out, drawn, 0, "    ");
     for (const TransitionDefinition& transition : drawn.machine.transitions) {
       out += "    " + drawn.states[transition.from] + " -->|" + mermaid_label(transition_label(transition)) + "| " +
@@ -154,13 +155,13 @@ void add_states_of_digraph(std::string& out, const DrawnMachine& drawn, int oute
   }
 }
 
-/// Graphviz draws edges between nodes only, and cuts them off at the border of the cluster that is meant.
+/// Graphviz draws edges only between nodes, and clips them at the border of the given cluster.
 struct DotEnd {
   std::string node;
-  std::string cluster;  ///< empty: the node itself is meant
+  std::string cluster;  ///< empty: the edge ends at the node itself
 };
 
-/// State 0: the machine's cluster.
+/// State 0 stands for the machine's cluster.
 DotEnd dot_end(const DrawnMachine& drawn, int state) {
   int inner = state;
   while (drawn.machine.states[inner].initial >= 0) inner = drawn.machine.states[inner].initial;
@@ -169,7 +170,7 @@ DotEnd dot_end(const DrawnMachine& drawn, int state) {
   return {drawn.states[inner], inner == state ? "" : drawn.states[state]};
 }
 
-/// Each of the attributes begins with a comma.
+/// Each attribute must begin with a comma.
 std::string dot_edge(const DotEnd& from, const DotEnd& to, std::string attributes) {
   if (!from.cluster.empty()) attributes += ", ltail=cluster_" + from.cluster;
   if (!to.cluster.empty()) attributes += ", lhead=cluster_" + to.cluster;
@@ -177,12 +178,13 @@ std::string dot_edge(const DotEnd& from, const DotEnd& to, std::string attribute
   return from.node + " -> " + to.node + attributes + ";\n";
 }
 
-/// Of several machines, only links are dashed.
+/// In a picture of several machines, only links are dashed.
 void add_machine_to_digraph(std::string& out, const DrawnMachine& drawn, bool is_one) {
   const std::string indent = is_one ? "  " : "    ";
   const std::string common = is_one ? ", style=dashed" : "";
   out += indent + drawn.starts[0] + " [shape=point" + (is_one ? "" : ", label=\"\"") + "];\n";
-  if (drawn.has_common_way) out += indent + drawn.states[0] + " [label=\"any state\", style=\"rounded,dashed\"];\n";
+  if (drawn.has_common_transition)
+    out += indent + drawn.states[0] + " [label=\"any state\", style=\"rounded,dashed\"];\n";
   add_states_of_digraph(out, drawn, 0, indent);
   if (const int initial = drawn.machine.states[0].initial; initial >= 0)
     out += indent + dot_edge({drawn.starts[0], ""}, dot_end(drawn, initial), "");
@@ -201,7 +203,7 @@ std::vector<MachineLink> machine_links(std::span<const MachineDefinition> machin
   const auto add_links_of = [&](const Sight& sight, int to_machine, int to_state) {
     for (int from = 0; from < count; ++from) {
       const MachineDefinition& machine = machines[from];
-      if (from == to_machine || machine.is_scenario) continue;  // no behavior sees a scenario
+      if (from == to_machine || machine.is_scenario) continue;  // behaviors cannot read the states of a scenario
       for (int state = 0; state < static_cast<int>(machine.states.size()); ++state) {
         const bool is_seen = sight.machine.empty()
                                  ? machine.states[state].publishes == sight.field

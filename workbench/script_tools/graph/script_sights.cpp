@@ -15,7 +15,7 @@ using syntax::Expression;
 using syntax::Statement;
 using syntax::Suffix;
 
-/// A definition among the outermost statements of a file, by what it defines: "name", or "module.name".
+/// A definition among the outermost statements of a file. Its name is "name" or "module.name".
 struct Reference {
   std::string file;
   std::string name;
@@ -23,7 +23,7 @@ struct Reference {
   bool operator<(const Reference& other) const { return std::tie(file, name) < std::tie(other.file, other.name); }
 };
 
-/// What a part of a script looks at, and which definitions it names.
+/// The machines that a part of a script reads, and the definitions that it refers to.
 struct Passage {
   std::set<Sight> sights;
   std::set<Reference> references;
@@ -38,7 +38,7 @@ bool is_text(const Expression& expression) {
   return expression.kind == Expression::Kind::literal && expression.token->kind == LuaToken::Kind::text;
 }
 
-/// Of .name and ["name"]; empty: it is something else, or there is no such suffix.
+/// The name in .name or ["name"]; empty for any other suffix and for a missing one.
 std::string field_name(const std::vector<Suffix>& suffixes, std::size_t index) {
   if (index >= suffixes.size()) return {};
   const Suffix& suffix = suffixes[index];
@@ -47,7 +47,7 @@ std::string field_name(const std::vector<Suffix>& suffixes, std::size_t index) {
   return is_named ? suffix.arguments.front().token->text : "";
 }
 
-/// The text that an operand is compared with, which may be on either side; empty: it is not compared with a text.
+/// The text that an operand is compared with, on either side; empty: it is not compared with a text.
 std::string compared_text(const Expression& operation, std::size_t operand) {
   for (const std::size_t other : {operand + 1, operand - 1}) {
     if (other >= operation.operands.size() || !is_text(operation.operands[other])) continue;
@@ -57,7 +57,7 @@ std::string compared_text(const Expression& operation, std::size_t operand) {
   return {};
 }
 
-/// Of `local a, b = ...`, `local function a`, `function m.a`, `m.a = ...`, `a = ...`.
+/// The names that a statement defines: `local a, b = ...`, `local function a`, `function m.a`, `m.a = ...`, `a = ...`.
 std::vector<std::string> defined_names(const Statement& statement) {
   std::vector<std::string> names;
   for (const LuaToken* const name : statement.names) names.push_back(name->text);
@@ -108,7 +108,7 @@ class SightSearch {
       here_ = &passage;
       holds_a_state_ = false;
       read(statement);
-      // What is in a state that a local name holds is that state's, not that of the table which names it.
+      // The code in a state that a local variable holds belongs to that state, not to the table that refers to it.
       if (holds_a_state_) continue;
       for (const std::string& name : defined_names(statement)) definitions_[{file, name}].add(passage);
     }
@@ -149,7 +149,7 @@ class SightSearch {
     if (expression.function != nullptr) read(expression.function->body);
   }
 
-  /// Which state `"name"` declares, of `state "name" { ... }`; -1: none.
+  /// Index of the state that `"name"` in `state "name" { ... }` declares; -1: no state.
   int named_state(const Suffix& suffix) const {
     if (suffix.kind != Suffix::Kind::call) return -1;
     int index = static_cast<int>(machine_.states.size()) - 1;
@@ -176,7 +176,7 @@ class SightSearch {
     }
   }
 
-  /// What a passage looks at, itself and through what it names.
+  /// The machines that a passage reads, directly and through the definitions that it refers to.
   std::set<Sight> follow(const Passage& start) {
     std::set<Sight> sights = start.sights;
     std::set<Reference> seen;
@@ -195,13 +195,13 @@ class SightSearch {
 
   const MachineDefinition& machine_;
   const ScriptTexts& texts_;
-  std::set<std::string> files_;               ///< that were read
+  std::set<std::string> files_;               ///< files that were read
   std::map<Reference, std::string> modules_;  ///< file of each `local name = require "..."`
-  std::map<Reference, Passage> definitions_;  ///< where there are several of a name, all of them
-  std::map<int, Passage> states_;             ///< what stands in the table of each, without the states in it
-  std::string file_;                          ///< that is being read
-  Passage* here_ = nullptr;                   ///< to which what is read belongs
-  bool holds_a_state_ = false;                ///< the outermost statement that is being read
+  std::map<Reference, Passage> definitions_;  ///< definitions with the same name are combined
+  std::map<int, Passage> states_;             ///< code in the table of each state, without its inner states
+  std::string file_;                          ///< file that is being read
+  Passage* here_ = nullptr;                   ///< passage to which the code belongs
+  bool holds_a_state_ = false;                ///< the outermost statement that is being read contains a state
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a machine looks at other machines, as far as that is plain from its script's text.
+// Where a machine reads the states of other machines, as far as its script's text shows it.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace reorient {
 
 /// `published.FLAG`, or `behaviors.MACHINE.FIELD`.
 struct Sight {
-  std::string machine;  ///< empty: whichever publishes the flag
+  std::string machine;  ///< empty: the machine that publishes the flag
   std::string field;    ///< "state" or "time_in_state", or the flag
   std::string state;    ///< path that the field is compared with; empty: it is not compared with a text
 
@@ -24,8 +24,8 @@ struct Sight {
   }
 };
 
-/// By the state in whose table it is written, the innermost one; 0: in that of the machine itself. A local function
-/// counts where it is named, and so does one of a library. Names that are put together at run time are not found.
+/// By the index of the innermost state whose table contains the code; 0: the table of the machine itself. A function of
+/// the script or of a library counts where it is referred to. Names that are built at run time are not found.
 std::map<int, std::set<Sight>> sights_of(const MachineDefinition& machine, const ScriptTexts& texts);
 
 }  // namespace reorient

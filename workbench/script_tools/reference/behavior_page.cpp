@@ -12,7 +12,7 @@ std::string replaced(const std::string& page, const std::string& part, const std
   const std::string begin_mark = "<!-- generated: " + part + " -->\n";
   const std::size_t begin = page.find(begin_mark);
   const std::size_t end = begin == std::string::npos ? begin : page.find("<!-- end -->", begin);
-  if (end == std::string::npos) throw std::runtime_error("the page has no " + begin_mark + "<!-- end -->");
+  if (end == std::string::npos) throw std::runtime_error("the page: missing " + begin_mark + "<!-- end -->");
   return page.substr(0, begin + begin_mark.size()) + text + page.substr(end);
 }
 

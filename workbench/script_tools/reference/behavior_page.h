@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a behavior's page that follow from its script: the states as a diagram, the parameters as a table.
+// The generated parts of a behavior's page: the states as a diagram, the parameters as a table.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 namespace reorient {
 
 /// The page with the part between "<!-- generated: states -->" (or parameters) and "<!-- end -->" regenerated.
-/// `parameters`: those that the script itself declares. Throws std::runtime_error when a mark is missing.
+/// `parameters`: those that the script itself declares. Throws std::runtime_error if a mark is missing.
 std::string with_generated_parts(const std::string& page, const MachineDefinition& machine,
                                  std::span<const ParameterDeclaration> parameters);
 

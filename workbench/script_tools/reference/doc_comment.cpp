@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_rule(std::string_view line) { return line.find_first_not_of('-') == std::string_view::npos; }
 
-/// A script may hold any bytes, the pages that are made of it may not.
+/// Makes the text printable, because a script may contain any bytes but the generated pages may not.
 std::string printable(std::string_view line) {
   std::string out;
   for (const char letter : as_utf8(line)) {
@@ -29,7 +29,7 @@ std::string printable(std::string_view line) {
   return out;
 }
 
-/// Taken off the text, with the blanks behind it.
+/// Removes and returns the first word of the text, with the blanks after it.
 std::string take(std::string_view& text, std::size_t size) {
   std::string taken(text.substr(0, size));
   text = trimmed(text.substr(std::min(size, text.size())));
@@ -38,11 +38,11 @@ std::string take(std::string_view& text, std::size_t size) {
 
 std::string take_word(std::string_view& text) { return take(text, text.find_first_of(kBlanks)); }
 
-/// The type with which the text begins: blanks in brackets, in quotes and beside | : , belong to it.
+/// The type at the beginning of the text. Blanks in brackets, in quotes and next to | : , belong to it.
 std::string take_type(std::string_view& text) {
   int open = 0;
   char quote = '\0';
-  char before = '\0';  // the last that was no blank
+  char before = '\0';  // the last character that is not a blank
   std::size_t end = 0;
   for (; end < text.size(); ++end) {
     const char c = text[end];
@@ -65,7 +65,7 @@ std::string take_type(std::string_view& text) {
   return take(text, end);
 }
 
-/// What is left of a tag, with or without the mark that may lead it in.
+/// The rest of a tag, without the mark # or @ that may precede it.
 std::string take_description(std::string_view& text) {
   if (text.starts_with('#') || text.starts_with('@')) text = trimmed(text.substr(1));
   return std::string(text);

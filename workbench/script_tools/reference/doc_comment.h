@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// `---@param name type description` or `---@return type name description`, of which the last ones may be missing.
+/// `---@param name type description` or `---@return type name description`. The last parts may be missing.
 struct DocTag {
   std::string name;
   std::string type;
@@ -17,20 +17,20 @@ struct DocTag {
 };
 
 struct DocComment {
-  std::vector<std::string> lines;  ///< as they were written, without what stands around; printable UTF-8
-  std::string description;         ///< all that is no tag, in one line
+  std::vector<std::string> lines;  ///< the lines without their indentation, as printable UTF-8
+  std::string description;         ///< all text outside of tags, in one line
   std::vector<DocTag> parameters;
   std::vector<DocTag> results;
   std::string type;  ///< `---@type`
 
-  /// nullptr: not found.
+  /// Returns nullptr if there is no such parameter.
   const DocTag* parameter(std::string_view name) const;
 };
 
-/// Whether the line is part of such a comment: three dashes and no fourth one, or a rule of dashes alone.
+/// Whether the line is part of such a comment: it begins with exactly three dashes, or consists of dashes only.
 bool is_doc_line(std::string_view line);
 
-/// From lines of that kind. Never fails: a tag that cannot be read has less in it.
+/// Reads such lines. Never fails: parts of a tag that cannot be read stay empty.
 DocComment doc_comment(const std::vector<std::string_view>& lines);
 
 }  // namespace reorient

@@ -24,7 +24,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// A text in long brackets ends lines below its beginning.
+/// The last line of a token. A text in long brackets may span several lines.
 int last_line(const LuaToken& token) {
   return token.position.line + static_cast<int>(std::count(token.text.begin(), token.text.end(), '\n'));
 }
@@ -54,7 +54,7 @@ class LibraryReader {
   void count_blocks(const LuaToken& token) {
     for (const char* const word : {"function", "do", "if", "repeat"}) blocks_ += token.is_keyword(word) ? 1 : 0;
     for (const char* const word : {"end", "until"}) blocks_ -= token.is_keyword(word) ? 1 : 0;
-    blocks_ = std::max(blocks_, 0);  // an `end` too many: not valid Lua
+    blocks_ = std::max(blocks_, 0);  // an unmatched `end`: not valid Lua
   }
 
   void read_statement(std::size_t i) {
@@ -94,7 +94,7 @@ class LibraryReader {
     }
   }
 
-  /// In a table's constructor.
+  /// Reads an entry of a table constructor.
   void read_entry(std::size_t i) {
     const bool begins = at(i - 1).is_symbol("{") || at(i - 1).is_symbol(",") || at(i - 1).is_symbol(";");
     if (begins && is_name(i) && at(i + 1).is_symbol("=")) add(*table_, value(at(i).text, i, i + 2));
@@ -107,7 +107,7 @@ class LibraryReader {
     if (!is_known) members.push_back(std::move(member));
   }
 
-  /// `start`: the token with which its statement or entry begins; `list`: the bracket that opens its parameters.
+  /// `start`: the first token of its statement or entry. `list`: the bracket that opens its parameters.
   LibraryMember function(const std::string& name, std::size_t start, std::size_t list, bool is_method) {
     LibraryMember member{name, true, is_method, {}, doc_before(start)};
     for (std::size_t i = list + 1; is_name(i) || at(i).is_symbol("..."); i += 2) {
@@ -117,7 +117,7 @@ class LibraryReader {
     return member;
   }
 
-  /// `token`: the first one of what it is.
+  /// `token`: the first token of the value.
   LibraryMember value(const std::string& name, std::size_t start, std::size_t token) {
     if (at(token).is_keyword("function")) return function(name, start, token + 1, false);
     const auto local = is_name(token) ? locals_.find(at(token).text) : locals_.end();
@@ -133,7 +133,8 @@ class LibraryReader {
 
   const std::string_view& line(int number) const { return lines_[static_cast<std::size_t>(number - 1)]; }
 
-  /// Of the lines right above a token that is the first one of its line. Between two tokens there are comments alone.
+  /// The comment in the lines directly above a token that is the first of its line. Only comments can be between two
+  /// tokens.
   DocComment doc_before(std::size_t token) {
     const int before = token == 0 ? 0 : last_line(at(token - 1));
     int first = at(token).position.line;
@@ -144,7 +145,7 @@ class LibraryReader {
     return doc_comment(lines);
   }
 
-  /// The first comment of the file, unless it is that of a member.
+  /// The first comment of the file, unless it belongs to a member.
   std::string description() const {
     const auto is_blank = [](std::string_view text) {
       return text.find_first_not_of(" \t\r") == std::string_view::npos;
@@ -157,12 +158,12 @@ class LibraryReader {
 
   std::vector<std::string_view> lines_;
   std::vector<LuaToken> tokens_;
-  int blocks_ = 0;                    ///< that are open around the token: functions, loops, conditions
-  std::optional<std::string> table_;  ///< whose constructor is being read; empty: that of the returned one
+  int blocks_ = 0;                    ///< number of open blocks around the token: functions, loops, conditions
+  std::optional<std::string> table_;  ///< table whose constructor is being read; empty: the returned one
   std::string returned_;              ///< name of the returned table
   std::map<std::string, std::vector<LibraryMember>> tables_;
   std::map<std::string, LibraryMember> locals_;  ///< local functions
-  std::set<int> first_lines_;                    ///< of the members' comments
+  std::set<int> first_lines_;                    ///< of the comments of members
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a library offers to those who require it, from its text alone: functions and values with their doc comments.
+// The members of a library, read from its text only: functions and values with their doc comments.
 #pragma once
 
 #include <string>
@@ -16,22 +16,23 @@ struct LibraryMember {
   std::string name;
   bool is_function = false;
   bool is_method = false;               ///< called with a colon
-  std::vector<std::string> parameters;  ///< as the function names them, "..." among them
+  std::vector<std::string> parameters;  ///< in the order of the function, including "..."
   DocComment doc;
 };
 
 struct LibraryModule {
-  std::string name;  ///< as `require` takes it: "lib.walk"
+  std::string name;  ///< the argument of `require`: "lib.walk"
   std::string description;
-  std::vector<LibraryMember> members;  ///< in the order of the text; none whose name begins with "_"
+  std::vector<LibraryMember> members;  ///< in the order of the text, without names that begin with "_"
 };
 
-/// Found are the members that are written at the outermost level, as `function module.name() end`, as
-/// `module.name = value`, or in the table that is returned; a value may be the name of a local function. Never fails:
-/// in what is no Lua it finds less.
+/// Finds the members at the outermost level that are written as `function module.name() end`, as `module.name = value`,
+/// or in the returned table. A value may be the name of a local function. Never fails: it finds fewer members in
+/// invalid Lua.
 LibraryModule library_module(std::string name, std::string_view text);
 
-/// Of all files below lib/, by name. A file that cannot be used has no members, and a description that says why.
+/// The modules of all files below lib/, by name. A file that cannot be used has no members, and the reason as
+/// description.
 std::vector<LibraryModule> library_modules(const ScriptTexts& texts);
 
 }  // namespace reorient

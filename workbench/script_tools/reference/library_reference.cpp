@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// "walk_to(x, y, rotation?)"; of a value its name.
+/// "walk_to(x, y, rotation?)" for a function, the name for another value.
 std::string signature(const LibraryMember& member) {
   if (!member.is_function) return member.name;
   std::string list;
@@ -20,7 +20,7 @@ std::string signature(const LibraryMember& member) {
   return (member.is_method ? ":" : "") + member.name + "(" + list + ")";
 }
 
-/// In a cell of a table a bar would end it.
+/// Escapes bars, which would end a cell of a table.
 std::string cell(const std::string& text) {
   std::string out;
   for (const char letter : text) out.append(letter == '|' ? "\\" : "").append(1, letter);
@@ -32,7 +32,7 @@ std::string code(std::string text) {
   return text.empty() ? "" : "`" + cell(text) + "`";
 }
 
-/// "`x: number` m, towards the opponent goal", of which parts may be missing.
+/// "`x: number` m, towards the opponent goal". Any part may be missing.
 std::string tag_text(const DocTag& tag) {
   std::string what = tag.name;
   if (!tag.type.empty()) what += (what.empty() ? "" : ": ") + tag.type;
@@ -55,7 +55,7 @@ void write_libraries(std::ostream& out, std::span<const LibraryModule> modules) 
     if (!module.description.empty()) out << module.description << "\n";
     out << "\n";
     if (module.members.empty()) continue;
-    out << "| name | takes | gives | what it is |\n|---|---|---|---|\n";
+    out << "| name | arguments | result | what it is |\n|---|---|---|---|\n";
     for (const LibraryMember& member : module.members) {
       out << "| " << code(signature(member)) << " | " << list_of(member.doc.parameters) << " | "
           << (member.is_function ? list_of(member.doc.results) : code(member.doc.type)) << " | "

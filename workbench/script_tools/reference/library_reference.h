@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What libraries offer, for people and for editors: parts of the script reference and of the annotations.
+// The members of libraries, for readers and for editors: parts of the script reference and of the annotations.
 #pragma once
 
 #include <iosfwd>
@@ -12,10 +12,11 @@ namespace reorient {
 /// Markdown: a heading, a description and a table for each.
 void write_libraries(std::ostream& out, std::span<const LibraryModule> modules);
 
-/// For the Lua language server: a class for each, named as `require` names it, and its doc comments as they stand.
+/// For the Lua language server: a class for each, with the name that `require` uses and with its doc comments
+/// unchanged.
 void write_library_annotations(std::ostream& out, std::span<const LibraryModule> modules);
 
-/// So that `require "lib.walk"` gives the class of that name.
+/// Overloads with which `require "lib.walk"` returns the class of that name.
 void write_require_overloads(std::ostream& out, std::span<const LibraryModule> modules);
 
 }  // namespace reorient

@@ -43,7 +43,7 @@ bool is_for_scenarios(std::string_view table) {
   return std::none_of(all.begin(), all.end(), [&](const WorldTable& row) { return row.name == table; });
 }
 
-/// Of both languages, each once: behaviors' first.
+/// The functions of both languages, each once, those of behaviors first.
 std::vector<const ScriptFunction*> all_functions() {
   std::vector<const ScriptFunction*> all;
   for (const ScriptFunction& function : behaviors().functions()) all.push_back(&function);
@@ -70,7 +70,7 @@ void write_annotations(std::ostream& out, std::span<const ScriptWord> words, std
 }
 
 void write_world(std::ostream& out) {
-  out << "## The world\nRead-only tables, refreshed before each frame. A name that does not exist is an error.\n\n";
+  out << "## The world\nRead-only tables, updated before each frame. Reading an unknown name is an error.\n\n";
   for (const WorldTable& table : scenarios().tables()) {
     out << "### `" << table.name << "`" << (is_for_scenarios(table.name) ? " (scenarios only)" : "") << "\n"
         << table.description << "\n\n| field | type | unit | what it is |\n|---|---|---|---|\n";
@@ -86,7 +86,7 @@ void write_world(std::ostream& out) {
   }
 }
 
-/// Without the table's.
+/// The names of the functions without the name of the table.
 std::vector<std::string> names_in(const LibraryRow& row) {
   std::vector<std::string> names;
   for (std::string_view signature : row.signatures) {
@@ -112,7 +112,7 @@ std::string quoted_list(std::span<const std::string> names, std::string_view sep
   return list;
 }
 
-/// The globals that the words stand for: "expect.state" is the table expect.
+/// The globals of these words: "expect.state" belongs to the table expect.
 std::set<std::string> first_names(std::span<const ScriptWord> words) {
   std::set<std::string> names;
   for (const ScriptWord& word : words) names.insert(std::string(word.name().substr(0, word.name().find('.'))));
@@ -126,28 +126,25 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
   out << "# Script reference\n"
          "Generated from the declarations that make the bindings, and from the libraries' doc comments; do not edit.\n"
          "`REORIENT_REGENERATE=1 ./test` regenerates it; `./reorient reference` writes one with your own libraries.\n\n"
-         "A behavior is a file under `scripts/behaviors/`, a scenario one under `scripts/scenarios/`, what several "
-         "share lies "
-         "under\n`scripts/lib/`. Lengths are meters, angles radians, times seconds; x forward, y left.\n\n## Words\n";
+         "A behavior is a file below `scripts/behaviors/`, a scenario is a file below `scripts/scenarios/`. Code for "
+         "several scripts is in\n`scripts/lib/`. Lengths are in meters, angles in radians, times in seconds; x points "
+         "forward, y left.\n\n## Words\n";
   write_words(out, language_words());
   out << "### A transition\n```lua\n{ \"target\", when = f, lasting = 0.5, after = \"settle\", because = \"the "
          "reason\" }\n```\n"
-         "Leads to the state `target`: looked for among the state's own states, then beside it, then further out; "
-         "`\"outer/inner\"` is a "
-         "path\nfrom the top. It is taken when `when` gives true, has done so for `lasting` without a break, and the "
-         "state was entered "
-         "`after`\nago at least. Both times are seconds, the name of a param, or a function that gives seconds. "
-         "`because` goes into the "
-         "record. In one\nframe a machine takes one transition at most: those of outer states come first, there "
-         "`common` before the "
-         "others.\n\n";
+         "Leads to the state `target`. The name is searched among the inner states of the state, then among its "
+         "siblings, then further out;\n`\"outer/inner\"` is a path from the top. The transition is taken if `when` "
+         "returns true and has returned true for the time `lasting`\nwithout interruption, and if the state was "
+         "entered at least the time `after` ago. Both times are a number of seconds, the name of a\nparam, or a "
+         "function that returns seconds. `because` is the reason in the record. A machine takes at most one transition "
+         "in a\nframe. Transitions of outer states come first, and within a state the `common` ones.\n\n";
   write_world(out);
-  out << "## Functions\nThey act, so they stand in `enter`, `update` and `exit`, not in conditions.\n\n";
+  out << "## Functions\nFunctions have an effect, so call them in `enter`, `update` and `exit`, not in conditions.\n\n";
   out << "### In behaviors\n";
   write_functions(out, behaviors());
   out << "### In scenarios\n";
   write_functions(out, scenarios());
-  out << "## Libraries\nWhat `require` gives, as the doc comments in `scripts/lib/` say.\n\n";
+  out << "## Libraries\nThe values that `require` returns, from the doc comments in `scripts/lib/`.\n\n";
   write_libraries(out, libraries);
   out << "## From Lua's own library\n";
   for (const LibraryRow& row : library_rows()) {
@@ -155,12 +152,12 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
     for (const std::string& name : names_in(row)) out << " " << name;
     out << "\n";
   }
-  out << "\n`pairs` goes through numbers and then names in their order, so that each run is the same; other keys than "
-         "numbers, texts and\nbooleans it refuses. Table functions take tables without a metatable. There are no "
-         "global variables: write `local`, or `keep` for what shall survive. "
-         "A script holds at most "
+  out << "\n`pairs` returns numbers and then names in ascending order, so that each run is the same. It rejects keys "
+         "that are not numbers, texts\nor booleans. Table functions accept only tables without a metatable. Global "
+         "variables are not possible: write `local`, or `keep` for\nvalues that survive a reload. A script may have at "
+         "most "
       << Metatables::kMost
-      << "\nmetatables: tables of one kind share theirs.\n\n"
+      << " metatables, so let tables of the same type share one.\n\n"
          "## Words of tests\n"
          "Files `scripts/tests/*_test.lua`, run by `reorient test`.\n\n";
   write_words(out, test_words());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What scripts can see and say, for people, editors and linters: made from the declarations that also make the
-// bindings, and from the doc comments of libraries. The committed files are docs/script-reference.md,
+// The names that scripts can use, for readers, editors and linters: generated from the declarations of the bindings and
+// from the doc comments of libraries. The committed files are docs/script-reference.md,
 // scripts/annotations/reorient.lua and scripts/.luacheckrc.
 #pragma once
 

@@ -16,7 +16,7 @@ std::string_view without_spaces(std::string_view text) {
 ArgumentDoc read_argument(std::string_view text, std::string_view signature) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos || colon == 0)
-    throw std::invalid_argument("an argument is 'name: type', not '" + std::string(text) + "' in " +
+    throw std::invalid_argument("signature: expected an argument 'name: type', found '" + std::string(text) + "' in " +
                                 std::string(signature));
   std::string_view name = without_spaces(text.substr(0, colon));
   const bool may_be_left_out = name.ends_with('?');
@@ -24,14 +24,14 @@ ArgumentDoc read_argument(std::string_view text, std::string_view signature) {
   return {std::string(name), std::string(without_spaces(text.substr(colon + 1))) + (may_be_left_out ? "?" : "")};
 }
 
-/// Where the bracket that opens at `open` closes.
+/// Position of the bracket that closes the one at `open`.
 std::size_t closing(std::string_view text, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
     if (text[i] == '(') ++depth;
     if (text[i] == ')' && --depth == 0) return i;
   }
-  throw std::invalid_argument("a bracket stays open in " + std::string(text));
+  throw std::invalid_argument("signature: missing closing bracket in " + std::string(text));
 }
 
 }  // namespace
@@ -56,7 +56,8 @@ std::vector<std::string_view> split_type(std::string_view text, char separator) 
 
 Signature read_signature(std::string_view text) {
   const std::size_t open = text.find('(');
-  if (open == std::string_view::npos) throw std::invalid_argument("no brackets in the signature " + std::string(text));
+  if (open == std::string_view::npos)
+    throw std::invalid_argument("signature: missing brackets in " + std::string(text));
   const std::size_t close = closing(text, open);
   Signature signature;
   const std::string_view name = text.substr(0, open);

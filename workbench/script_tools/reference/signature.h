@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a function takes and gives, read from one line as the reference shows it.
+// Arguments and results of a function, read from one line in the notation of the reference.
 #pragma once
 
 #include <string>
@@ -16,16 +16,17 @@ struct Signature {
   std::string table;  ///< "expect"; empty: a global function
   std::string name;
   std::vector<ArgumentDoc> arguments;  ///< the last one may be called "..."
-  std::string result;  ///< type, and perhaps a name behind it; several with commas, "..." for any number; or empty
+  std::string result;  ///< type, with an optional name after it; several are separated by commas, "..." for any number;
+                       ///< may be empty
 
   std::string full_name() const { return table.empty() ? name : table + "." + name; }
 };
 
-/// Throws std::invalid_argument where the text is no signature.
+/// Throws std::invalid_argument if the text is not a signature.
 Signature read_signature(std::string_view text);
 
-/// Its parts at the separator that stands in no bracket and no quotes, without the blanks around them: of
-/// "{ a: string, b: number }, c" at ',' two.
+/// Splits a type at each separator outside of brackets and quotes, and removes the blanks around the parts:
+/// "{ a: string, b: number }, c" has two parts at ','.
 std::vector<std::string_view> split_type(std::string_view text, char separator);
 
 /// The definition for the Lua language server: parameters, result, and an empty function.

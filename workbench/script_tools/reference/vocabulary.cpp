@@ -11,40 +11,40 @@ namespace {
 constexpr ScriptWord kLanguage[] = {
     {"param(declarations: table<string, table>): table<string, any> values",
      "local p = param { lead = { 0.5, range = { 0, 1 }, unit = \"\", doc = \"what it is\" } }",
-     "Declares parameters: default, range, unit, description. `{ true, doc = ... }` is a switch, `{ "
-     "\"slow\", choices = { \"slow\", \"fast\" }, doc = ... }` a choice, `integer = true` permits only whole numbers. "
-     "The "
-     "result is a read-only table of the current values. The full name is the file's name, a dot, and the name.",
+     "Declares parameters with default, range, unit and description. `{ true, doc = ... }` is a switch, `{ \"slow\", "
+     "choices = { \"slow\", \"fast\" }, doc = ... }` is a choice, and `integer = true` permits only whole numbers. "
+     "Returns a read-only table of the current values. The full name of a parameter is the name of the file, a dot, "
+     "and its name.",
      {}},
     {"keep(defaults: table): table memory", "local memory = keep { flips = 0 }",
-     "A table of plain values that survives a reload, including removals; values that a new version adds "
-     "start as declared. Local variables do not survive.",
+     "Declares a table of numbers, texts and booleans that survives a reload of the script. Removed values stay "
+     "removed, and values that a new version adds start as declared. Local variables do not survive.",
      "---@generic T: table\n---@param defaults T\n---@return T memory\nfunction keep(defaults) end"},
     {"behavior(name: string): fun(body: reorient.State)",
      "behavior \"name\" { priority = 50, initial = \"watching\", common = { ... }, state \"watching\" { ... } }",
-     "Declares a state machine. `priority`: the greater wins a conflict of requests, and of equal ones the behavior "
-     "that was loaded first. `initial`: the first state. "
-     "`common`: transitions from any state, not taken while their target is active.",
+     "Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with "
+     "equal priorities, the one that was loaded first. `initial`: the first state. `common`: transitions from any "
+     "state, not taken while their target is active.",
      {}},
     {"state(name: string): fun(body: reorient.State): table",
      "state \"watching\" { enter = f, update = f, exit = f, { \"target\", when = f, lasting = 0.5 } }",
-     "Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within "
-     "it, then also `initial`, `common`, and `history = true` to resume the inner state that was active last. "
-     "`publishes = \"name\"`: flag that other scripts read as `published.name`.",
+     "Declares a state. `enter`, `update` and `exit`: functions that run when the state is entered, in every frame, "
+     "and when it is left. It contains transitions and inner states. A state with inner states may also have "
+     "`initial`, `common`, and `history = true`, which resumes the inner state that was active last. `publishes = "
+     "\"name\"`: a flag that other scripts read as `published.name`.",
      {}},
     {"scenario(name: string): fun(body: reorient.State)",
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
      "Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the "
-     "field. `behaviors`: scripts to load. `room = \"rooms/lab.hdr\"` (a panorama, from the scripts' root, or the name "
-     "of "
-     "one in assets/rooms) or `hall_seed = 3`, and `field` likewise: the setting, unless the command line "
-     "sets "
-     "it. Only scenarios have `truth`, `operator` and `verdict`; they cannot move the robot. They run after each "
-     "frame.",
+     "field and runs after each frame. `behaviors`: scripts to load. `room = \"rooms/lab.hdr\"` or `hall_seed = 3`, "
+     "and `field`: the setting, unless the command line sets it. `room` is the path of a panorama from the scripts' "
+     "root, or the name of one in assets/rooms; `field` likewise. Only scenarios have `truth`, `operator` and "
+     "`verdict`. They cannot move the robot.",
      {}},
     {"require(module: string): any",
      "local walking = require \"lib.walk\"",
-     "The value that the file lib/walk.lua below the scripts' root returns. Only at the top of a script.",
+     "Returns the value that the file lib/walk.lua below the scripts' root returns. Allowed only at the top level of a "
+     "script.",
      {}},
     {"behaviors", "behaviors.orientation.state == \"watching\"",
      "The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s).",
@@ -60,8 +60,9 @@ constexpr ScriptWord kLanguage[] = {
 constexpr ScriptWord kTest[] = {
     {"test(name: string, run: fun())",
      "test(\"flips when the opposite pose wins\", function() ... end)",
-     "Declares a test. Its file runs again for it in a new sandbox, with its own world, clock and scripts. "
-     "It may take 60 s (`--timeout`) and 36 000 s of the robot's time, the tests of a file ten times that.",
+     "Declares a test. The file runs again for each test in a new sandbox, with its own world, clock and scripts. A "
+     "test is limited to 60 s (`--timeout`) and to 36 000 s of the robot's time, all tests of a file together to ten "
+     "times that.",
      {}},
     {"load_behavior(behavior: reorient.BehaviorScript)", "load_behavior \"orientation\"", "Loads a behavior.", {}},
     {"load_scenario(scenario: reorient.ScenarioScript)",
@@ -70,16 +71,15 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"set_world(world: reorient.World)",
      "set_world { confidence = { opposite = 0.9 }, robot = { posture = \"lying\" } }",
-     "Changes what the robot senses in the fake world from the next frame. Derived values (times since "
-     "a "
-     "disturbance, age and status of the confidences, whether training and evaluation are active) follow the engine's "
-     "own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in "
-     "the engine: after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.",
+     "Changes what the robot senses in the fake world from the next frame. Derived values (times since a disturbance, "
+     "age and status of the confidences, whether training and evaluation are active) follow the engine's own rules "
+     "until the test sets it itself. A granted command changes the pose and the confidences as it does in the engine: "
+     "after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.",
      {}},
     {"set_param(name: reorient.ParameterName, value: string)",
      "set_param(\"decision.false_flips\", \"1\")",
-     "Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in "
-     "the test declares is a failure.",
+     "Changes a parameter as a user does during a run. The parameter of a script that is loaded later is set when the "
+     "script is loaded. The test fails if none of its scripts declares the parameter.",
      {}},
     {"hear(sender: integer, text: string)",
      "hear(2, \"I am sure of my pose\")",
@@ -87,29 +87,27 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"advance(seconds: number)",
      "advance(1.0)",
-     "Lets this many seconds pass, 30 frames each; at least one frame.",
+     "Runs the frames of this time, in seconds, at 30 frames per second; at least one frame.",
      {}},
     {"reload(edit: { from: string, to: string, file: string? })",
      "reload { from = \"0.5\", to = \"0.3\", file = \"lib/walk.lua\" }",
-     "Edits a text of a script (the one that was loaded last, where no file is named) and reloads it.",
+     "Replaces a text in a script and reloads it. Without `file`, edits the script that was loaded last.",
      {}},
     {"simulate(run: { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: "
      "number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, "
      "any>? }): boolean is_correct",
      "simulate { scenario = \"mirrored_placement\", seed = 1, params = { [\"decision.false_flips\"] = 1 } }",
-     "Runs a whole scenario on the simulator and returns whether the belief was right at its end; expectations "
-     "after it apply to the whole run. Also takes `with`, a list of more behaviors, `width` of the image (160, "
-     "320, 544, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. "
-     "Skipped "
-     "unless `reorient test --simulator`.",
+     "Runs a whole scenario on the simulator and returns whether the belief is correct at its end. Later expectations "
+     "apply to the whole run. Optional: `with` (a list of additional behaviors), `width` of the image (160, 320, 544 "
+     "or 640 pixels), `seconds` (the longest run), `room_awareness`, and `room`, `hall_seed` and `field` as in a "
+     "scenario. The test is skipped without `reorient test --simulator`.",
      {}},
     {"replay(file: string)",
      "replay \"recordings/flip.mcap\"",
-     "Plays a recording (path from the tests' folder), with the current scripts instead of those that were "
-     "recorded, instead of a fake world: its first frame, then `advance` and `advance_to` go on in it; `set_param`, "
-     "`reload` and `hear` affect its next frame. The recorded views do not change: once the robot acts differently, it "
-     "is a "
-     "guess.",
+     "Loads a recording (path from the tests' folder) instead of a fake world and runs its first frame with the "
+     "current scripts instead of the recorded ones. `advance` and `advance_to` continue it; `set_param`, `reload` and "
+     "`hear` affect its next frame. The recorded views do not change, so the result is only an estimate once the robot "
+     "acts differently.",
      {}},
     {"advance_to(time: number)",
      "advance_to(43.5)",
@@ -117,11 +115,11 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"world_value(name: string): number|string|boolean value",
      "expect.near(world_value(\"pose.x\"), 1.2, 0.1)",
-     "A value of the world as behaviors read it in this frame.",
+     "Returns a value of the world as behaviors read it in this frame.",
      {}},
     {"expect.as_recorded()",
      "expect.as_recorded()",
-     "In all frames of the replay so far the robot acted as it was recorded: commands, head, walk, words.",
+     "In all frames of the replay so far, the robot did what was recorded: commands, head, walking, messages.",
      {}},
     {"expect.state(machine: reorient.MachineName, path: reorient.StatePath)",
      "expect.state(\"orientation\", \"watching\")",
@@ -133,62 +131,70 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"expect.command(name: reorient.CommandName, verdict?: reorient.Verdict)",
      "expect.command(\"flip_pose\", \"granted\")",
-     "The command was issued during the last `advance`, with this verdict if one is named (granted, outranked, "
+     "The command was issued during the last `advance`, with this verdict if it is given (granted, outranked, "
      "too_soon, not_allowed).",
      {}},
     {"expect.no_command(name?: reorient.CommandName)",
      "expect.no_command()",
-     "The command, or any reorientation, was not issued during the last `advance`.",
+     "The command, or without a name any reorientation, was not issued during the last `advance`.",
      {}},
     {"expect.lease(name: reorient.PauseName)",
      "expect.lease(\"pause_training\")",
-     "Some state holds this pause now.",
+     "A state holds a lease on this pause now.",
      {}},
     {"expect.no_lease(name: reorient.PauseName)",
      "expect.no_lease(\"pause_training\")",
-     "No state holds this pause now.",
+     "No state holds a lease on this pause now.",
      {}},
     {"expect.head(yaw: number, pitch: number)",
      "expect.head(1.1, -0.1)",
-     "The head is asked to turn there (yaw, pitch, rad).",
+     "The requested angles of the head (yaw, pitch in rad).",
      {}},
     {"expect.walk(forward: number, left: number, turn: number)",
      "expect.walk(0.2, 0, 0)",
-     "The robot is asked to walk so (m/s, m/s, rad/s).",
+     "The requested walking velocity (m/s, m/s, rad/s).",
      {}},
-    {"expect.get_up(wanted: boolean)", "expect.get_up(true)", "The robot is asked, or is not asked, to get up.", {}},
-    {"expect.log(text: string)", "expect.log(\"picked up\")", "A log line of the last `advance` contains this.", {}},
+    {"expect.get_up(requested: boolean)",
+     "expect.get_up(true)",
+     "Whether a behavior requests that the robot gets up.",
+     {}},
+    {"expect.log(text: string)",
+     "expect.log(\"picked up\")",
+     "A log line of the last `advance` contains this text.",
+     {}},
     {"expect.message(text: string)",
      "expect.message(\"turned\")",
-     "A message to the teammates in the last `advance` contains this.",
+     "A message to the teammates in the last `advance` contains this text.",
      {}},
     {"expect.action(name: reorient.ActionName)",
      "expect.action(\"put_down\")",
-     "The scenario did this during the last `advance`.",
+     "The operator of the scenario performed this action during the last `advance`.",
      {}},
     {"expect.verdict(succeeded: boolean, text: string)",
      "expect.verdict(true, \"right mark\")",
-     "The scenario's verdict, and a part of its text.",
+     "The scenario ended with this verdict, whose text contains `text`.",
      {}},
     {"expect.error(text: string)",
      "expect.error(\"nil value\")",
-     "A script failed with this message; without it, a failing script fails the test.",
+     "A script failed with an error that contains this text. Without this expectation, a failing script fails the "
+     "test.",
      {}},
     {"expect.refused(text: string)",
      "expect.refused(\"did you mean\")",
-     "The reload was refused with this message; without it, a refusal fails the test.",
+     "The last reload was rejected with an error that contains this text. Without this expectation, a rejected reload "
+     "fails the test.",
      {}},
     {"expect.equal(actual: any, expected: any)",
      "expect.equal(count, 3)",
-     "Two values are the same, tables field by field; the first is the actual value.",
+     "Two values are equal. Tables are compared field by field. The first value is the actual one.",
      {}},
     {"expect.near(actual: number, expected: number, tolerance: number)",
      "expect.near(x, 1.5, 0.1)",
-     "Two numbers differ by no more than the third.",
+     "The difference of the first two numbers is at most the third.",
      {}},
 };
 
-// As Lua's manual has them; a text that holds a number is no number here.
+// Types as in Lua's manual, except that a text is not accepted as a number.
 constexpr std::string_view kBase[] = {
     "assert(value: any, message?: any, ...: any): any, ...",
     "error(message?: any, level?: integer)",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words of scripts and of their tests that are more than a plain function, and Lua's library, as documentation: the
-// reference, the annotations and the check are made from it.
+// Documentation of the words of scripts and of their tests, and of Lua's library. The reference, the annotations and
+// the check are generated from it.
 #pragma once
 
 #include <span>
@@ -11,22 +11,22 @@
 namespace reorient {
 
 struct ScriptWord {
-  std::string_view signature;  ///< signature.h; of what is no function its name alone
+  std::string_view signature;  ///< see signature.h; only the name if it is not a function
   std::string_view usage;      ///< an example
   std::string_view description;
-  std::string_view annotation;  ///< for the Lua language server, where it is more than the signature
+  std::string_view annotation;  ///< for the Lua language server, if the signature is not enough
 
   std::string_view name() const { return signature.substr(0, signature.find('(')); }  ///< "param", "expect.state"
   bool is_function() const { return signature.find('(') != std::string_view::npos; }
 };
 
-/// Of every script; `scenario` and `behavior` among them.
+/// Words of every script, including `scenario` and `behavior`.
 std::span<const ScriptWord> language_words();
 
-/// Of the files *_test.lua.
+/// Words of the files *_test.lua.
 std::span<const ScriptWord> test_words();
 
-/// What scripts have of Lua's own library, by table; the first row is that of the globals.
+/// The part of Lua's own library that scripts may use, by table. The first row contains the globals.
 struct LibraryRow {
   std::string_view table;
   std::span<const std::string_view> signatures;  ///< "math.abs(x: number): number", "math.pi: number"
@@ -36,11 +36,11 @@ std::span<const LibraryRow> library_rows();
 /// A type in signatures whose values are texts.
 struct NameType {
   std::string_view type;           ///< "reorient.Verdict"
-  std::vector<std::string> names;  ///< all that it can be; empty: what the scripts themselves declare
+  std::vector<std::string> names;  ///< all possible values; empty: names that the scripts declare
 };
 std::vector<NameType> name_types();
 
-/// "set_world" takes tables of world fields: this type's name in signatures.
+/// Name of the type in signatures for the tables of world fields that `set_world` takes.
 inline constexpr std::string_view kWorldType = "reorient.World";
 
 }  // namespace reorient

@@ -21,7 +21,7 @@ constexpr std::array<Rank, 21> kRanks{{
     {"<<", 7}, {">>", 7}, {"..", 8}, {"+", 9}, {"-", 9}, {"*", 10}, {"/", 10}, {"//", 10}, {"%", 10}, {"^", 12}}};
 // clang-format on
 
-/// 0: no operator between two operands.
+/// Rank of a binary operator; 0: it is not one.
 int rank_of(const LuaToken& token) {
   if (token.kind != TokenKind::symbol && token.kind != TokenKind::keyword) return 0;
   for (const Rank& row : kRanks) {
@@ -41,7 +41,7 @@ std::vector<Expression> Parser::read_expressions() {
 
 Expression Parser::read_expression() { return read_operation(0); }
 
-/// Of operators that bind more tightly than `rank`.
+/// Reads operators that bind more tightly than `rank`.
 Expression Parser::read_operation(int rank) {
   const Depth depth(*this);
   Expression left;
@@ -161,7 +161,7 @@ Expression Parser::read_suffixed() {
   } else if (take_name() != nullptr) {
     value.kind = Expression::Kind::name;
   } else {
-    if (here().kind != TokenKind::end && !ends_block()) ++at_;  // not valid Lua; go on behind it
+    if (here().kind != TokenKind::end && !ends_block()) ++at_;  // not valid Lua: continue after it
     return value;
   }
   while (!too_deep_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lua's own parser once more, by recursive descent, into a tree.
+// Parses Lua by recursive descent into a tree, because Lua's own parser gives no tree.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@ class Parser {
   Block read();
 
  private:
-  /// More than Lua itself allows.
+  /// Larger than the limit of Lua itself.
   static constexpr int kDeepest = 250;
 
-  /// One level deeper while it lives; beyond kDeepest reading ends, however the text goes on.
+  /// One level of nesting while it exists. Beyond kDeepest, reading ends.
   struct Depth {
     explicit Depth(Parser& owner) : parser(owner) { parser.too_deep_ |= ++parser.depth_ > kDeepest; }
     ~Depth() { --parser.depth_; }

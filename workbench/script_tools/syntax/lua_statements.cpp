@@ -9,7 +9,7 @@ Block Parser::read() {
   Block all;
   while (here().kind != LuaToken::Kind::end && !too_deep_) {
     read_statements(all);
-    if (here().kind != LuaToken::Kind::end) ++at_;  // an `end` too many: not valid Lua, go on
+    if (here().kind != LuaToken::Kind::end) ++at_;  // an unmatched `end`: not valid Lua, continue
   }
   return all;
 }
@@ -145,7 +145,7 @@ void Parser::read_assignment_or_call(Statement& statement) {
   }
   statement.kind = Statement::Kind::call;
   statement.values = std::exchange(statement.targets, {});
-  if (at_ == start) ++at_;  // not valid Lua; go on behind it
+  if (at_ == start) ++at_;  // not valid Lua: continue after it
 }
 
 Script read_script(std::string_view text) {

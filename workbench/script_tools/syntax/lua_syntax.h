@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Lua script as a tree of statements and expressions, as far as a check needs it. Runs of operators of one rank and
-// runs of suffixes (.name, [key], calls) are flat lists, so the tree is no deeper than the text nests.
+// A Lua script as a tree of statements and expressions, as far as a check needs it. Successive operators of one rank
+// and successive suffixes (.name, [key], calls) are flat lists, so the tree is no deeper than the nesting of the text.
 #pragma once
 
 #include <memory>
@@ -28,8 +28,8 @@ struct Expression {
   enum class Kind { none, literal, varargs, function, table, name, unary, operation, suffixed, parenthesis };
 
   Kind kind = Kind::none;
-  const LuaToken* token = nullptr;         ///< with which it begins, never null; of unary the operator
-  std::vector<Expression> operands;        ///< of operation two or more; of unary, suffixed and parenthesis one
+  const LuaToken* token = nullptr;         ///< first token, never null; unary: the operator
+  std::vector<Expression> operands;        ///< operation: two or more; unary, suffixed and parenthesis: one
   std::vector<const LuaToken*> operators;  ///< between the operands
   std::vector<Suffix> suffixes;
   std::vector<Field> fields;           ///< of a table
@@ -40,14 +40,14 @@ struct Suffix {
   enum class Kind { field, index, call, method };
 
   Kind kind = Kind::field;
-  const LuaToken* place = nullptr;    ///< the name of a field or method; of index and call the token after the name
-  std::vector<Expression> arguments;  ///< of a call or method; of index the key
+  const LuaToken* place = nullptr;    ///< field and method: the name; index and call: the token after the name
+  std::vector<Expression> arguments;  ///< call and method: the arguments; index: the key
 };
 
-/// Of a table constructor.
+/// An entry of a table constructor.
 struct Field {
-  const LuaToken* key = nullptr;         ///< of `key = value` and `["key"] = value`
-  std::vector<Expression> computed_key;  ///< of `[key] = value` otherwise: one
+  const LuaToken* key = nullptr;         ///< the key of `key = value` and `["key"] = value`
+  std::vector<Expression> computed_key;  ///< the key of any other `[key] = value`: one
   Expression value;
 };
 
@@ -55,20 +55,21 @@ struct Statement {
   enum class Kind { local, local_function, function, assignment, call, branch, loop, count, walk, block, give, leave };
 
   Kind kind = Kind::block;
-  std::vector<const LuaToken*> names;  ///< that it declares: of local, count and walk (both kinds of `for`)
-  std::vector<Expression> targets;     ///< of assignment; of function its name
-  std::vector<Expression> values;      ///< of local, assignment, give (return), call; conditions of branch and loop
-  std::vector<Block> blocks;           ///< of branch one for each condition, and one more for `else`
-  bool tests_at_end = false;           ///< of loop: repeat ... until
+  std::vector<const LuaToken*> names;  ///< declared names: local, count and walk (the two forms of `for`)
+  std::vector<Expression> targets;     ///< assignment: the targets; function: its name
+  std::vector<Expression>
+      values;                 ///< local, assignment, give (return), call: the values; branch and loop: the conditions
+  std::vector<Block> blocks;  ///< branch: one for each condition, and one more for `else`
+  bool tests_at_end = false;  ///< loop: repeat ... until
   std::unique_ptr<Function> function;
 };
 
 struct Script {
-  std::vector<LuaToken> tokens;  ///< to which the tree points
+  std::vector<LuaToken> tokens;  ///< the tree points to them
   Block body;
 };
 
-/// Of valid Lua the whole tree. Other text gives some tree, and what nests deeper than Lua allows is left out.
+/// The whole tree of valid Lua. Invalid text gives some tree; parts that nest deeper than Lua allows are omitted.
 Script read_script(std::string_view text);
 
 }  // namespace reorient::syntax
