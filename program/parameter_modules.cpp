@@ -8,6 +8,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/parameters/nearest_name.h"
 #include "program/former_names.h"
 #include "program/robots.h"
@@ -26,7 +27,8 @@ void warn_of_strangers(const std::map<std::string, std::string>& sources, const 
     spdlog::warn("{}: unknown module '{}'{}; its values are saved but not used", source, module,
                  did_you_mean(module, known));
   }
-  if (sources.size() > kMostWarnings) spdlog::warn("and {} more such tables", sources.size() - kMostWarnings);
+  if (sources.size() > kMostWarnings)
+    spdlog::warn("and {}", counted(sources.size() - kMostWarnings, "more such table"));
 }
 
 }  // namespace

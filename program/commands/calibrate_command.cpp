@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "program/calibrate/footage_calibration.h"
 #include "program/calibrate/look_about.h"
 #include "program/help.h"
@@ -114,9 +115,9 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
     calibration.offsets[i] = found->offset;
     out << fmt::format(
         "{}: {:+.2f} degrees down, {:+.2f} to the left; lines are off by {:.2f} degrees instead of {:.2f} ({} "
-        "points of {} images)\n",
+        "of {})\n",
         kCameras[i], to_degrees(found->offset.tilt), to_degrees(found->offset.pan), to_degrees(found->error_after),
-        to_degrees(found->error_before), found->points, shots[i].views.size());
+        to_degrees(found->error_before), counted(found->points, "point"), counted(shots[i].views.size(), "image"));
     for (const auto& [name, offset] : {std::pair{"before", CameraOffset()}, {"after", found->offset}}) {
       const std::filesystem::path file = options.pictures / fmt::format("calibration_{}_{}.png", kCameras[i], name);
       draw_picture(shots[i], offset, *place, field, file);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/parameters/counted.h"
 #include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
@@ -21,10 +22,6 @@ struct CheckOptions {
   bool strict = false;
 };
 
-std::string count_text(int count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 int check(const CheckOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
   const CheckResult result = check_scripts(root, options.paths);
@@ -32,8 +29,8 @@ int check(const CheckOptions& options, std::ostream& out) {
   for (const Finding& finding : result.findings) out << finding.text() << "\n";
   const int errors = result.count(Finding::Severity::error);
   const int warnings = result.count(Finding::Severity::warning);
-  out << count_text(result.files, "script") << " checked: " << count_text(errors, "error") << ", "
-      << count_text(warnings, "warning") << "\n";
+  out << counted(result.files, "script") << " checked: " << counted(errors, "error") << ", "
+      << counted(warnings, "warning") << "\n";
   return errors > 0 || (options.strict && warnings > 0) ? kWrong : kSuccess;
 }
 

@@ -14,6 +14,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/core_parameters.h"
+#include "engine/parameters/counted.h"
 #include "engine/parameters/parameter_registry.h"
 #include "engine/parameters/utf8.h"
 #include "geometry/angle.h"
@@ -200,8 +201,8 @@ int run(const FieldFeaturesOptions& options, std::ostream& out, std::ostream& er
     for (const Condition& condition : conditions) json.push_back(as_json(condition));
     write_whole_file(options.json, json.dump(1) + "\n");
   }
-  out << fmt::format("{} images of {} pixels a row, in each of {} {}\n\n", 3 * options.places, options.width,
-                     options.rooms.size(), options.rooms.size() == 1 ? "room" : "rooms");
+  out << fmt::format("{} images of {} pixels a row, in each of {}\n\n", 3 * options.places, options.width,
+                     counted(options.rooms.size(), "room"));
   print(conditions, out);
   out << "\nIn each light and at each speed of the head: precision, then recall. bearing, distance: mean error of what "
          "is right. spread: its squared error, normalized by its covariance; 2 where the covariance is right.\n";

@@ -16,6 +16,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/core_parameters.h"
+#include "engine/parameters/counted.h"
 #include "engine/parameters/parameter_registry.h"
 #include "engine/parameters/utf8.h"
 #include "geometry/camera_attitude.h"
@@ -277,8 +278,7 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
   of_recolorings.push_back(cells_of("all", all));
   if (!options.json.empty()) write_whole_file(options.json, json.dump(1) + "\n");
 
-  out << fmt::format("{} labeled {} in {} recolorings\n", images.size(), images.size() == 1 ? "image" : "images",
-                     recolorings.size());
+  out << fmt::format("{} in {}\n", counted(images.size(), "labeled image"), counted(recolorings.size(), "recoloring"));
   for (const std::string& one : unlabeled) out << "no labels: " << one << '\n';
   out << '\n';
   print_table(of_recolorings, 1, out);

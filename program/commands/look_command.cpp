@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/parameters/parameter_registry.h"
 #include "engine/parameters/utf8.h"
 #include "geometry/angle.h"
@@ -80,15 +81,11 @@ std::string pitch_in_few_words(const SeenImage& seen) {
   return fmt::format("{:.1f} ({})", to_degrees(pitch_of(seen.robot_from_camera)), to_string(seen.pitch_source));
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string percepts_in_words(const SeenImage& seen) {
-  return counted(seen.percept.line_points.size(), "line point", "line points") + ", " +
-         counted(seen.percept.goal_posts.size(), "goal post", "goal posts") + ", " +
-         counted(seen.percept.obstacles.size(), "obstacle", "obstacles") + ", " +
-         counted(seen.tiles.size(), "tile", "tiles") + (seen.shows_carpet ? "" : ", no carpet");
+  return counted(seen.percept.line_points.size(), "line point") + ", " +
+         counted(seen.percept.goal_posts.size(), "goal post") + ", " +
+         counted(seen.percept.obstacles.size(), "obstacle") + ", " + counted(seen.tiles.size(), "tile") +
+         (seen.shows_carpet ? "" : ", no carpet");
 }
 
 /// What all images have in common.
@@ -102,7 +99,7 @@ struct LookTotals {
     without_carpet += seen.shows_carpet ? 0 : 1;
   }
   std::string in_words() const {
-    std::string text = counted(images, "image", "images");
+    std::string text = counted(images, "image");
     if (searched > 0) text += fmt::format("; pitch searched for in {}, unknown in {}", searched, unknown);
     return text + fmt::format("; no carpet in {}", without_carpet);
   }

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/record/record_bytes.h"
 #include "program/help.h"
 #include "program/options.h"
@@ -104,7 +105,7 @@ end)
     std::filesystem::remove(part, error);  // so that another try with this name is possible
     throw;
   }
-  out << fmt::format("{}: {} frames, {:.1f} MB\n{}\nNext: reorient test {}{}\n", part.string(), done.frames,
+  out << fmt::format("{}: {}, {:.1f} MB\n{}\nNext: reorient test {}{}\n", part.string(), counted(done.frames, "frame"),
                      1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string(),
                      options.scripts.empty() ? "" : " --scripts " + options.scripts.string());
   return kSuccess;

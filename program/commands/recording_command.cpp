@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
@@ -58,8 +59,8 @@ int info(const std::filesystem::path& file, std::ostream& out) {
     exact += goes_on ? 1 : 0;
   }
   if (can_be_read) {
-    out << fmt::format("{} frames, {:.2f} to {:.2f} s of the robot; {} can be replayed exactly\n", frames, first, last,
-                       exact);
+    out << fmt::format("{}, {:.2f} to {:.2f} s of the robot; {} can be replayed exactly\n", counted(frames, "frame"),
+                       first, last, exact);
   } else {
     out << fmt::format(
         "its format differs from {}, the one that this program replays: it can be viewed but not replayed\n",
@@ -97,9 +98,9 @@ int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& er
   Recording recording(options.file);
   const Rewritten done = rewrite(recording);
   tell_damages(recording, err);
-  out << fmt::format("{}: {} frames, {:.2f} to {:.2f} s", options.out.string(), done.frames, done.first_time,
+  out << fmt::format("{}: {}, {:.2f} to {:.2f} s", options.out.string(), counted(done.frames, "frame"), done.first_time,
                      done.last_time);
-  if (done.lost > 0) out << fmt::format("; {} frames are lost", done.lost);
+  if (done.lost > 0) out << fmt::format("; {} lost", counted(done.lost, "frame"));
   out << '\n';
   // The exit code warns a user who would delete the old recording: another reader may still recover those frames.
   return done.lost > 0 ? kWrong : kSuccess;

@@ -14,6 +14,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/frame.h"
+#include "engine/parameters/counted.h"
 #include "program/help.h"
 #include "program/interruption.h"
 #include "program/options.h"
@@ -131,10 +132,11 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   // Damage after the requested part does not matter.
   const bool is_reached = recording.damages().empty() || last_time >= options.times.to;
   const bool is_whole = is_reached && skipped == 0 && again.stretches() == 1;
-  out << fmt::format("{}{} frames, up to {:.2f} s, replayed in {:.2f} s{}\n", comparison.frames(),
-                     skipped == 0 ? "" : fmt::format(" of {}", comparison.frames() + skipped), last_time, took.count(),
-                     is_whole ? "" : "; the rest cannot be replayed");
-  if (again.stretches() > 1) out << fmt::format("in {} stretches\n", again.stretches());
+  out << fmt::format("{}, up to {:.2f} s, replayed in {:.2f} s{}\n",
+                     skipped == 0 ? counted(comparison.frames(), "frame")
+                                  : fmt::format("{} of {} frames", comparison.frames(), comparison.frames() + skipped),
+                     last_time, took.count(), is_whole ? "" : "; the rest cannot be replayed");
+  if (again.stretches() > 1) out << fmt::format("in {}\n", counted(again.stretches(), "part"));
   out << "digest: " << digest.hex() << '\n';
   if (comparison.different() == 0) {
     out << (is_whole ? "all frames are the same as recorded\n" : "these frames are the same as recorded\n");

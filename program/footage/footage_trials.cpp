@@ -7,6 +7,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/record/digest.h"
 #include "engine/script/script_texts.h"
 #include "geometry/bytes.h"
@@ -64,9 +65,9 @@ FootageInMemory::FootageInMemory(FootageSource& source) {
     bytes += frame.image.bytes().size();
     if (bytes > kMost)
       throw BadFootage(
-          fmt::format("expected images of at most {} MB altogether, found more after {} images; make them "
+          fmt::format("expected images of at most {} MB altogether, found more after {}; make them "
                       "smaller, or fewer",
-                      kMost >> 20, frames->size()));
+                      kMost >> 20, counted(frames->size(), "image")));
     frames->push_back(std::move(frame));
   }
   frames_ = std::move(frames);
@@ -125,9 +126,10 @@ void FootageTrials::choose_starts() {
   const auto candidates = static_cast<std::size_t>(last - first), wanted = static_cast<std::size_t>(options_.starts);
   if (candidates < wanted)
     throw std::runtime_error(fmt::format(
-        "{}: expected {} images at which a trial can start, found {}: {:.1f} s are learned before, {:.1f} s watched "
+        "{}: expected {} at which a trial can start, found {}: {:.1f} s are learned before, {:.1f} s watched "
         "behind, and the footage lasts {:.1f} s",
-        setup_.source.string(), wanted, candidates, options_.learn, needed, all.empty() ? 0.0 : all.back()));
+        setup_.source.string(), counted(wanted, "image"), candidates, options_.learn, needed,
+        all.empty() ? 0.0 : all.back()));
   for (std::size_t i = 0; i < wanted; ++i) {
     const std::size_t frame = static_cast<std::size_t>(first - all.begin()) + i * candidates / wanted;
     starts_.push_back({frame, footage_.frames()[frame].name, all[frame], {}});

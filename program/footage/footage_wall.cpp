@@ -8,6 +8,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/core_parameters.h"
+#include "engine/parameters/counted.h"
 #include "workbench/footage/wall_fit.h"
 
 namespace reorient {
@@ -76,11 +77,14 @@ FootageWall footage_wall(FootageSource& source, const std::string& choice, const
   // As near against the wall as usually, and not farther.
   const double nearest =
       std::min(usual.perception.min_distance, usual.perception.min_distance * radius / usual.wall.radius);
-  std::string told = fmt::format("wall: radius {:.1f} m, {:.1f} to {:.1f} m high, {} rows of tiles", radius,
-                                 wall.bottom, wall.top, wall.rows);
+  std::string told = fmt::format("wall: radius {:.1f} m, {:.1f} to {:.1f} m high, {} of tiles", radius, wall.bottom,
+                                 wall.top, counted(wall.rows, "row"));
   if (choice == "auto" && !fit)
-    told += fmt::format(" (the radius is the field's: {} images with a pose do not determine distances)", views.size());
-  if (fit) told += fmt::format(" (radius {:.1f} to {:.1f} m by {} pairs of images)", fit->low, fit->high, fit->pairs);
+    told += fmt::format(" (the radius is the field's: {} with a pose cannot determine distances)",
+                        counted(views.size(), "image"));
+  if (fit)
+    told +=
+        fmt::format(" (radius {:.1f} to {:.1f} m by {} of images)", fit->low, fit->high, counted(fit->pairs, "pair"));
   return {changes_for(wall, nearest), std::move(told)};
 }
 

@@ -13,6 +13,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/parameters/nearest_name.h"
 #include "program/footage/footage_run.h"
 #include "program/interruption.h"
@@ -88,8 +89,9 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
       summary.verdict = "the rest of the footage cannot be read";
       return;
     }
-    summary.verdict = itself.is_over() ? fmt::format("the footage is over after {} images", itself.frames())
-                                       : fmt::format("ended after {} images, as set by --seconds", summary.frames);
+    summary.verdict = itself.is_over()
+                          ? fmt::format("the footage is over after {}", counted(itself.frames(), "image"))
+                          : fmt::format("ended after {}, as set by --seconds", counted(summary.frames, "image"));
     summary.succeeded = !summary.error || summary.correct;
     if (!summary.error) summary.verdict += "; it has no true pose";
   };

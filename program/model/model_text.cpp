@@ -7,6 +7,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/world/room_status.h"
 #include "geometry/angle.h"
 #include "perception/room/compared_model.h"
@@ -58,8 +59,8 @@ void print_model(const SavedModel& model, std::ostream& out) {
   const double separability = separability_of(compared, wall);
   const RoomStatusParameters least;
   out << fmt::format("  learned for {:.1f} s\n", model.learned)
-      << fmt::format("  wall: {} m from the field's center, {} to {} m high, {} rows of {} columns\n", wall.radius(),
-                     wall.bottom(), wall.top(), wall.rows(), wall.columns())
+      << fmt::format("  wall: {} m from the field's center, {} to {} m high, {} of {}\n", wall.radius(), wall.bottom(),
+                     wall.top(), counted(wall.rows(), "row"), counted(wall.columns(), "column"))
       << "  camera, against what its robot measures: " << bias_in_words(model.camera_bias) << "\n"
       << "  parameters: " << (different.empty() ? "as by default" : different) << "\n"
       << fmt::format("  known: {} of {} tiles; row by row, from the top:{}\n", model.model.known_tiles(), wall.tiles(),
@@ -80,8 +81,8 @@ void print_model(const SavedModel& model, std::ostream& out) {
 
 void print_comparison(const ModelComparison& comparison, const Wall& wall, std::ostream& out) {
   constexpr std::size_t kShown = 10;
-  out << fmt::format("both know {} tiles; only A {}, only B {}\n", comparison.tiles.size(), comparison.only_first,
-                     comparison.only_second);
+  out << fmt::format("both know {}; only A {}, only B {}\n", counted(comparison.tiles.size(), "tile"),
+                     comparison.only_first, comparison.only_second);
   if (!comparison.mean) {
     out << "nothing can be compared\n";
     return;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/parameters/utf8.h"
 #include "geometry/angle.h"
 #include "workbench/files/atomic_file.h"
@@ -68,11 +69,13 @@ void print_summary(const RunSummary& summary, const RunCircumstances& circumstan
   }
   if (const std::string bias = bias_in_words(summary.camera_bias); !bias.empty()) out << "  " << bias << '\n';
   for (const StoppedScript& script : summary.stopped) {
-    out << fmt::format("  {} was stopped: {} errors, the last: {}\n", script.script, script.errors, script.last);
+    out << fmt::format("  {} was stopped: {}, the last: {}\n", script.script, counted(script.errors, "error"),
+                       script.last);
   }
-  out << fmt::format("  {} flips, {} purges, {} resets\n", summary.flips, summary.purges, summary.resets);
-  out << fmt::format("  {:.1f} s in {} frames, {:.0f} frames per second ({:.1f} times real time)\n", summary.seconds,
-                     summary.frames, static_cast<double>(summary.frames) / circumstances.wall_seconds,
+  out << fmt::format("  {}, {}, {}\n", counted(summary.flips, "flip"), counted(summary.purges, "purge"),
+                     counted(summary.resets, "reset"));
+  out << fmt::format("  {:.1f} s in {}, {:.0f} frames per second ({:.1f} times real time)\n", summary.seconds,
+                     counted(summary.frames, "frame"), static_cast<double>(summary.frames) / circumstances.wall_seconds,
                      summary.seconds / circumstances.wall_seconds);
   out << "digest: " << circumstances.digest << '\n';
 }

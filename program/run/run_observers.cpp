@@ -13,6 +13,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "engine/parameters/counted.h"
 #include "workbench/run/log_lines.h"
 
 namespace reorient {
@@ -44,10 +45,11 @@ void log_pose(const World& world, const std::optional<GroundTruth>& truth) {
     return fmt::format("({:.2f}, {:.2f}, {:.0f} deg)", pose.position.x(), pose.position.y(), to_degrees(pose.rotation));
   };
   spdlog::debug(
-      "{:.1f} s: belief {} weight {:.2f} reflected {:.2f}, truth {}; {} line points, {} posts, {} tiles, "
+      "{:.1f} s: belief {} weight {:.2f} reflected {:.2f}, truth {}; {}, {}, {}, "
       "coverage {:.2f}, distinctiveness {:.2f}, separability {:.2f}, goals {:.2f} {:.2f}",
       world.time, text(world.pose.pose), world.pose.cluster_weight, world.pose.reflected_weight,
-      truth ? text(truth->pose) : "unknown", world.line_points, world.goal_posts, world.confidence.visible_tiles,
+      truth ? text(truth->pose) : "unknown", counted(world.line_points, "line point"),
+      counted(world.goal_posts, "goal post"), counted(world.confidence.visible_tiles, "tile"),
       world.confidence.coverage, world.confidence.distinctiveness, world.confidence.separability,
       world.confidence.goal_opponent, world.confidence.goal_own);
 }

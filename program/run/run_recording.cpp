@@ -10,6 +10,7 @@
 #include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "program/robots.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/mcap/contents.h"
@@ -143,17 +144,17 @@ void RunRecording::end(std::ostream& out) {
   if (!recorder_) return;
   recorder_->end();
   const Recorder::Counts counts = recorder_->counts();
-  out << fmt::format("recording: {}{}, {} frames, {:.1f} MB\n", file_.string(),
-                     counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "", counts.frames,
-                     1e-6 * static_cast<double>(counts.bytes));
+  out << fmt::format("recording: {}{}, {}, {:.1f} MB\n", file_.string(),
+                     counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "",
+                     counted(counts.frames, "frame"), 1e-6 * static_cast<double>(counts.bytes));
   if (counts.views_left_out > 0)
-    out << fmt::format("  {} frames lack images for viewers, because the disk or processor was too slow\n",
-                       counts.views_left_out);
+    out << fmt::format("  {} without images for viewers, because the disk or processor was too slow\n",
+                       counted(counts.views_left_out, "frame"));
   if (counts.images_left_out > 0) {
     out << fmt::format(
-        "  {} frames lack images, because the disk or processor was too slow; after {:.1f} s not all frames can be "
+        "  {} without images, because the disk or processor was too slow; after {:.1f} s not all frames can be "
         "replayed\n",
-        counts.images_left_out, counts.exact_until);
+        counted(counts.images_left_out, "frame"), counts.exact_until);
   }
 }
 

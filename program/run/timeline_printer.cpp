@@ -6,6 +6,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
+
 namespace reorient {
 
 std::string to_text(const TimelineEvent& event) {
@@ -49,8 +51,8 @@ void TimelinePrinter::finish(const FrameRecord& /*last*/, const SceneTruth& /*sc
   if (repeated_.empty()) return;
   if (make_room_) make_room_();
   for (const auto& [machine, count] : repeated_) {
-    out_ << fmt::format("          {:<20}  {} events were repeated within {:.0f} s; --every-transition shows them\n",
-                        machine, count, kRepeats);
+    out_ << fmt::format("          {:<20}  {} repeated within {:.0f} s; --every-transition shows them\n", machine,
+                        counted(count, "event"), kRepeats);
   }
 }
 

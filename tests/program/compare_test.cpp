@@ -89,8 +89,9 @@ TEST_F(CompareTest, TellsChoicesOfAnAxisWithinOneTable) {
 
 TEST_F(CompareTest, TellsSeedsWithoutAPartner) {
   const std::string after = table("after", "[" + row(kDefault, outcome(2, "3.0") + "," + outcome(7, "1.0")) + "]");
-  EXPECT_NE(compare({before, after}).out.find("mode default: 3 trials have no partner of their seed\n"),
-            std::string::npos);
+  EXPECT_NE(
+      compare({before, after}).out.find("mode default: 3 trials without a trial of the same seed in the other row\n"),
+      std::string::npos);
   const std::string other = table("other", "[" + row(kDefault, outcome(8, "3.0")) + "]");
   expect_refused({before, other}, "no trial of");
   const std::string stranger = table("stranger", "[" + row(R"("light": "hard", )", kFast) + "]");

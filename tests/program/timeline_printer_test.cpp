@@ -58,7 +58,7 @@ TEST_F(TimelinePrinterTest, CountsWhatRepeatsItselfAndTellsItAtTheEnd) {
   EXPECT_EQ(printed(printer, 14.0), "") << "ten seconds since it came last, not since it was printed";
   EXPECT_NE(printed(printer, 24.0), "");
   printer.finish(frame, scene);
-  EXPECT_NE(out.str().find("busy                  2 events were repeated"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("busy                  2 events repeated"), std::string::npos) << out.str();
 }
 
 TEST_F(TimelinePrinterTest, PrintsEverythingThatIsAskedForAndEachGrantedReorientation) {

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "engine/parameters/counted.h"
 #include "engine/script/language/world_fields.h"
 
 namespace reorient {
@@ -99,7 +100,7 @@ const Message& BehaviorActions::message(std::int64_t which) const {
   if (which >= 1 && which <= static_cast<std::int64_t>(heard_.size()))
     return heard_[static_cast<std::size_t>(which - 1)];
   throw std::runtime_error("unknown message " + std::to_string(which) + ": this frame has " +
-                           std::to_string(heard_.size()) + (heard_.size() == 1 ? " message" : " messages"));
+                           counted(heard_.size(), "message"));
 }
 
 void BehaviorActions::send(std::string_view text) {

@@ -23,7 +23,7 @@ behavior "NAME" {
     initial = "left",
     enter = function()
       memory.looks = memory.looks + 1
-      log.info("not sure where I am, for the " .. memory.looks .. ". time")
+      log.info("not sure of the pose: look " .. memory.looks)
     end,
     { "sure", when = is_sure, because = "the robot is sure of its pose" },
 

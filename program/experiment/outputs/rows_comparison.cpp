@@ -10,6 +10,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/text_table.h"
@@ -139,7 +140,8 @@ void print_comparison(const PairedRows& rows, std::ostream& out) {
     pairs += comparison.pairs;
     table.push_back(cells_of(pair, comparison));
     if (comparison.without_pair > 0)
-      notes += fmt::format("{}: {} trials have no partner of their seed\n", pair.name, comparison.without_pair);
+      notes += fmt::format("{}: {} without a trial of the same seed in the other row\n", pair.name,
+                           counted(comparison.without_pair, "trial"));
   }
   if (rows.pairs.empty())
     throw std::runtime_error(fmt::format("no row of {} has a partner in {}: {}, but {}", rows.first_name,

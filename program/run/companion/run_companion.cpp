@@ -14,6 +14,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/record/digest.h"
 #include "program/interruption.h"
 #include "program/monotonic_clock.h"
@@ -179,11 +180,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     fresh = false;
     engine_now = engine.get();
     companion.begin(handshake, goes_on, static_cast<int>(behaviors));
-    err << fmt::format(
-               "reorient: client connected: {}, field of {:.1f} x {:.1f} m, {} localization, {} behaviors, {}\n",
-               handshake.body.name, handshake.field.length, handshake.field.width,
-               handshake.own_localization ? "its own" : "Reorient's", behaviors,
-               goes_on ? "continues from the saved state" : "starts without knowledge")
+    err << fmt::format("reorient: client connected: {}, field of {:.1f} x {:.1f} m, {} localization, {}, {}\n",
+                       handshake.body.name, handshake.field.length, handshake.field.width,
+                       handshake.own_localization ? "its own" : "Reorient's", counted(behaviors, "behavior"),
+                       goes_on ? "continues from the saved state" : "starts without knowledge")
         << std::flush;
 
     LiveRun live(options, console, out, err);
@@ -208,8 +208,9 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     if (is_over() || !companion.has_other_robot()) break;
   }
   const Companion::Counts& counts = companion.counts();
-  out << fmt::format("{} frames of {} clients: {} superseded by newer ones, {} unusable; {} answers not sent\n",
-                     counts.frames, counts.clients, counts.superseded, counts.unusable, counts.unanswered);
+  out << fmt::format("{} of {}: {} superseded by newer ones, {} unusable; {} not sent\n",
+                     counted(counts.frames, "frame"), counted(counts.clients, "client"), counts.superseded,
+                     counts.unusable, counted(counts.unanswered, "answer"));
   return exit_code_of_runs(failures);
 }
 

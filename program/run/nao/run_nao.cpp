@@ -11,6 +11,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "program/interruption.h"
 #include "program/run/console/history_file.h"
 #include "program/run/live_run.h"
@@ -104,7 +105,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                                                                  [&](const std::string& line) { live.tell(line); }));
   const Nao& itself = *robot;
   StartPlace start(place, places[static_cast<std::size_t>(options.player - 1)], itself, engine);
-  err << fmt::format("reorient: {} behaviors on a NAO; {}\n", behaviors,
+  err << fmt::format("reorient: {} on a NAO; {}\n", counted(behaviors, "behavior"),
                      options.stand ? "the robot stands up" : "press the chest button to make the robot stand up")
       << std::flush;
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
@@ -119,9 +120,9 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
   const Nao::Counts counts = itself.counts();
   out << fmt::format(
-      "{} frames; images: {} superseded by newer ones, {} without head angles, {} damaged; cameras restarted {} "
-      "times\n",
-      counts.frames, counts.superseded, counts.unplaced, counts.damaged, counts.restarts);
+      "{}; images: {} superseded by newer ones, {} without head angles, {} damaged; cameras restarted {}\n",
+      counted(counts.frames, "frame"), counts.superseded, counts.unplaced, counts.damaged,
+      counted(counts.restarts, "time"));
   return exit_code_of_runs(failures);
 }
 

@@ -109,7 +109,7 @@ TEST_F(Footage, ShowsAMirroredPoseThatIsThenFlipped) {
 TEST_F(Footage, MayBeLiftedAndPlacedMirrored) {
   const ProgramRun lifted = run({"--belief", "mirrored", "--belief-at", "25", "--lifted"});
   EXPECT_EQ(lifted.code, 0) << lifted.out << lifted.err;
-  EXPECT_NE(lifted.out.find("1 flips"), std::string::npos) << lifted.out;
+  EXPECT_NE(lifted.out.find("1 flip,"), std::string::npos) << lifted.out;
 }
 
 TEST_F(Footage, IsRecordedAndReplayedToTheSameDigest) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/experiments/report/page.h"
 
+#include "engine/parameters/counted.h"
 #include "workbench/experiments/report/figures.h"
 #include "workbench/experiments/report/style.h"
 #include "workbench/experiments/report/tables.h"
@@ -22,7 +23,7 @@ void draw_facts(Markup& out, const Report& report) {
     const Element command(out, "dd");
     out.leaf("code", from.command);
   }
-  add("Trials", std::to_string(trials) + " in " + std::to_string(report.cells.size()) + " cells");
+  add("Trials", std::to_string(trials) + " in " + counted(report.cells.size(), "cell"));
   add("Seeds", seeds_of(report) + ", the same in each cell");
   add("Version", "reorient " + from.version);
   add("Machine", from.machine);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "engine/parameters/counted.h"
 #include "workbench/script_tools/check/script_reading.h"
 
 namespace reorient {
@@ -10,9 +11,7 @@ namespace {
 
 using syntax::Expression;
 
-std::string count_text(std::size_t count) {
-  return count == 0 ? "no argument" : std::to_string(count) + (count == 1 ? " argument" : " arguments");
-}
+std::string count_text(std::size_t count) { return count == 0 ? "no argument" : counted(count, "argument"); }
 
 /// "head.look(yaw, pitch, speed?)"
 std::string usage(const std::string& name, const FunctionSymbol& function) {

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <ostream>
 
+#include "engine/parameters/counted.h"
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
@@ -54,8 +55,6 @@ std::string with_percents(const Shares& shares) {
   return text(shares.states) + " states" + percent(shares.states) + ", " + text(shares.transitions) + " transitions" +
          percent(shares.transitions);
 }
-
-std::string machines(int count) { return std::to_string(count) + (count == 1 ? " machine" : " machines"); }
 
 /// Coverage of one machine.
 struct MachineCoverage {
@@ -121,9 +120,9 @@ class CoverageReport {
       out_ << with_percents(all_) << ": no test loaded a machine\n";
       return;
     }
-    out_ << with_percents(run_) << " of the " << machines(run_count_) << " that tests loaded";
+    out_ << with_percents(run_) << " of the " << counted(run_count_, "machine") << " that tests loaded";
     if (made_.states.all + made_.transitions.all > 0) out_ << "; made in them by libraries: " << with_percents(made_);
-    if (count_ > run_count_) out_ << "; " << with_percents(all_) << " of all " << machines(count_);
+    if (count_ > run_count_) out_ << "; " << with_percents(all_) << " of all " << counted(count_, "machine");
     out_ << "\n";
   }
 
