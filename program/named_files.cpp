@@ -35,13 +35,15 @@ void NamedFiles::writes(const std::filesystem::path& file, const std::string& op
   for (const auto& [other, name] : named_) {
     if (is_same(other, file))
       throw std::runtime_error(
-          fmt::format("{0} and {1} name the same file: {2}; name another one with {1}", name, option, file.string()));
+          fmt::format("{0} and {1}: expected two files, found the same one: {2}; name another file with {1}", name,
+                      option, file.string()));
   }
   for (const std::filesystem::path& root : roots_) {
     const std::optional<std::string> below = path_below(root, file);
     if (file.extension() == ".lua" && below && !below->starts_with("annotations/"))  // which are no scripts
-      throw std::runtime_error(
-          fmt::format("{0} {1}: the folder contains scripts; name another file with {0}", option, file.string()));
+      throw std::runtime_error(fmt::format(
+          "{0} {1}: expected a file outside the folder of scripts, found one in it; name another file with {0}", option,
+          file.string()));
   }
   named_.emplace_back(file, option);
 }

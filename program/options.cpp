@@ -39,8 +39,8 @@ std::filesystem::path parameter_file(const std::filesystem::path& named) {
   if (std::filesystem::is_directory(file, error))
     throw std::runtime_error("--params " + named.string() + ": expected a file, found a folder");
   if (!std::filesystem::exists(file, error) && is_asset_name(named)) {
-    throw std::runtime_error("--params " + named.string() + ": no such file, and no file of this name in " +
-                             "assets/parameters" +
+    throw std::runtime_error("--params " + named.string() +
+                             ": expected a file, or a name in assets/parameters, found neither" +
                              did_you_mean(named.string(), asset_names("parameters", kParameterFiles)));
   }
   return file;
@@ -63,7 +63,8 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
   for (const std::string& assignment : options.assignments) {
     const std::size_t equals = assignment.find('=');
     if (equals == 0 || equals == std::string::npos) {
-      throw std::runtime_error("--set '" + assignment + "': write NAME=VALUE, as in --set decision.false_flips=1");
+      throw std::runtime_error("--set: expected NAME=VALUE, as in --set decision.false_flips=1, found '" + assignment +
+                               "'");
     }
     changes.push_back({assignment.substr(0, equals), assignment.substr(equals + 1), ParameterOrigin::command_line, ""});
   }
@@ -102,7 +103,7 @@ std::filesystem::path scripts_root(const std::filesystem::path& given, Scripts s
   if (given.empty()) return find_home() / "scripts";
   std::error_code error;
   if (!std::filesystem::is_directory(given, error))
-    throw std::runtime_error("--scripts " + given.string() + ": there is no such folder of scripts");
+    throw std::runtime_error("--scripts " + given.string() + ": expected a folder of scripts, found none");
   constexpr const char* kFolders[] = {"behaviors", "scenarios", "lib", "tests"};
   const bool has_any = std::any_of(std::begin(kFolders), std::end(kFolders), [&](const char* folder) {
     return std::filesystem::is_directory(given / folder, error);
@@ -121,7 +122,7 @@ std::string check_seed(const std::string& text) {
 }
 
 std::string check_not_empty(const std::string& text) {
-  return text.empty() ? "is empty; give it a value or leave it out" : "";
+  return text.empty() ? "expected a value, found an empty one; leave it out for the default" : "";
 }
 
 namespace {

@@ -67,9 +67,9 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
           may_be_loaded ? "; this run does not load '" + module.substr(0, kLongestName) + "' (--with loads a behavior)"
                         : did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end()));
       const char* const where = hint.empty() ? "; 'reorient params' lists all" : "";
-      throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
-                               change.name.substr(0, kLongestName) + "' (set by the " +
-                               std::string(to_string(change.origin)) + ")" + hint + where);
+      const std::string source = change.source.empty() ? "the " + std::string(to_string(change.origin)) : change.source;
+      throw std::runtime_error(source + ": unknown parameter '" + change.name.substr(0, kLongestName) + "'" + hint +
+                               where);
     }
     if (!modules.anywhere.contains(module)) strangers.try_emplace(module, change.source);
     kept.insert_or_assign(change.name, change);

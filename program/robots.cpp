@@ -57,17 +57,17 @@ constexpr Maker kMakers[] = {
     {kSimulator, make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
     {kFootage,
      [](const RobotOptions&) -> RobotInstance {
-       throw std::runtime_error("footage plays no scenarios, since it is recorded");
+       throw std::runtime_error("robot 'footage': expected no scenario, since footage is recorded");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
     {kCompanion,
      [](const RobotOptions&) -> RobotInstance {
-       throw std::runtime_error("the companion plays no scenarios, since the program cannot move its robot");
+       throw std::runtime_error("robot 'companion': expected no scenario, since the program cannot move the robot");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
     {kNao,
      [](const RobotOptions&) -> RobotInstance {
-       throw std::runtime_error("a NAO plays no scenarios, since the program cannot move it");
+       throw std::runtime_error("robot 'nao': expected no scenario, since the program cannot move it");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
 };

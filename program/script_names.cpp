@@ -30,16 +30,16 @@ std::string named(const Kind& kind, const Kind& other, const std::filesystem::pa
   const bool is_other = file.starts_with(std::string(other.folder) + "/") ||
                         (texts.find(file) == nullptr && texts.find(script_file(other.folder, stem)) != nullptr);
   if (is_other) {
-    throw std::runtime_error("'" + name + "' is a " + other.word + ", and a " + kind.word +
-                             " was expected: reorient run SCENARIO --with BEHAVIOR");
+    throw std::runtime_error(std::string("expected a ") + kind.word + ", found the " + other.word + " '" + name +
+                             "': reorient run SCENARIO --with BEHAVIOR");
   }
   if (texts.find(file) != nullptr) return file;
   require_no_other_file(root, name);
   std::vector<std::string> known;
   for (const std::string& one : texts.in_folder(kind.folder)) known.push_back(name_of(kind, one));
   std::string hint = did_you_mean(stem, known);
-  if (hint.empty() && !known.empty()) hint = "; there are " + list_of(known);
-  throw std::runtime_error("there is no " + std::string(kind.word) + " '" + name + "' below " + root.string() + hint);
+  if (hint.empty() && !known.empty()) hint = " (expected " + list_of(known) + ")";
+  throw std::runtime_error("unknown " + std::string(kind.word) + " '" + name + "' below " + root.string() + hint);
 }
 
 }  // namespace
@@ -49,9 +49,9 @@ void require_no_other_file(const std::filesystem::path& root, const std::string&
   const bool is_path = name.ends_with(".lua") || name.find('/') != std::string::npos;
   if (!is_path || !std::filesystem::exists(name, error)) return;
   if (!name.ends_with(".lua") || !std::filesystem::is_regular_file(name, error))
-    throw std::runtime_error("'" + name + "' is not a script (expected a file *.lua)");
-  throw std::runtime_error("'" + name + "' is outside of the scripts' root " + root.string() +
-                           "; copy it below that, or name its own root with --scripts");
+    throw std::runtime_error("'" + name + "': expected a script (*.lua), found another file");
+  throw std::runtime_error("'" + name + "': expected a script below " + root.string() +
+                           ", found one outside; copy it there, or name its own root with --scripts");
 }
 
 std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
@@ -68,7 +68,7 @@ void require_script_name(const std::string& name) {
                     name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos &&
                     name.front() >= 'a' && name.size() <= 60;
   if (!fits)
-    throw std::runtime_error("'" + name + "' is not a valid script name (expected a-z, 0-9 and _, as in ball_search)");
+    throw std::runtime_error("invalid script name '" + name + "' (expected a-z, 0-9 and _, as in ball_search)");
 }
 
 }  // namespace reorient

@@ -159,7 +159,7 @@ int show_trial(const ExperimentOptions& options, const Session& session, std::os
 int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ostream& err) {
   if (options.experiment.empty())
     throw std::runtime_error(
-        "name an experiment: a file, or one of assets/experiments (see reorient experiment --help)");
+        "expected an experiment: a file, or a name in assets/experiments (see reorient experiment --help)");
   Session session(options);
   if (options.trial > 0) return show_trial(options, session, out, err);
   const int count = static_cast<int>(session.tasks().size());

@@ -156,7 +156,7 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
     std::string name = name_of(source);
     if (std::find(names.begin(), names.end(), name) != names.end()) name = source;
     if (std::find(names.begin(), names.end(), name) != names.end())
-      throw std::runtime_error("the footage " + source + " is named twice");
+      throw std::runtime_error("expected different sources, found " + source + " twice");
     names.push_back(std::move(name));
     results.footages.push_back(std::make_unique<FootageTrials>(setup, options.trials, scripts));
   }

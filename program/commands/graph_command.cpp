@@ -63,8 +63,7 @@ class DrawnScripts {
       has_scenario |= machine.is_scenario;
       behaviors.insert(behaviors.end(), machine.behaviors.begin(), machine.behaviors.end());
     }
-    if (!has_scenario)
-      throw std::runtime_error("--with-behaviors is for scenarios; a behavior loads no other behaviors");
+    if (!has_scenario) throw std::runtime_error("--with-behaviors: expected a scenario, found behaviors only");
     for (const std::string& behavior : behaviors)
       add({script_file(behaviors_.folder(), behavior), ScriptKind::behavior});
   }
@@ -84,9 +83,10 @@ class DrawnScripts {
     if (found.size() == 1) return found.front();
     if (found.empty()) require_no_other_file(root_, name);
     if (found.empty())
-      throw std::runtime_error("there is no behavior or scenario '" + name + "' below " + root_.string() +
+      throw std::runtime_error("unknown behavior or scenario '" + name + "' below " + root_.string() +
                                did_you_mean(name, known));
-    throw std::runtime_error("'" + name + "' may be " + found[0].file + " or " + found[1].file + ": name the file");
+    throw std::runtime_error("'" + name + "': expected one script, found " + found[0].file + " and " + found[1].file +
+                             "; name the file");
   }
 
   void add(const NamedScript& script) {

@@ -55,7 +55,8 @@ std::string time_of(const std::filesystem::path& file) {
 
 int show_model(const ModelOptions& options, std::ostream& out) {
   if (options.file.empty())
-    throw std::runtime_error("name a file that 'reorient run --model FILE' wrote (see reorient model --help)");
+    throw std::runtime_error(
+        "expected a file that 'reorient run --model FILE' wrote, found none (see reorient model --help)");
   NamedFiles files;
   files.reads(options.file, "the model");
   files.require_writable(options.picture, "--picture");

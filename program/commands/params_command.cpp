@@ -97,7 +97,7 @@ int params(const ParamsOptions& options, std::ostream& out) {
            (options.changed && parameter.origin == ParameterOrigin::default_value);
   });
   if (wanted.empty() && !options.changed)
-    throw std::runtime_error("no parameter name contains '" + options.filter + "' in its name" +
+    throw std::runtime_error("expected a part of a parameter's name, found '" + options.filter + "'" +
                              did_you_mean(options.filter, names_of(all)) + "; 'reorient params' lists all");
   list(wanted, out);
   if (!options.save.empty()) save_parameters(all, kept, options.save);

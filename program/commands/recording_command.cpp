@@ -139,7 +139,8 @@ int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostre
   }
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   if (replay.stretches() == 0)
-    throw std::runtime_error(options.file.string() + ": no frame of it can be replayed; see 'reorient recording info'");
+    throw std::runtime_error(options.file.string() +
+                             ": expected frames that can be replayed, found none; see 'reorient recording info'");
   const std::vector<std::string> failures = pictures.write(folder);
   for (const std::string& failure : failures) err << "reorient: " << failure << '\n';
   out << fmt::format("pictures of {:.2f} s: {}/\n", time, folder.string());

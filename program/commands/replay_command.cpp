@@ -125,8 +125,9 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
     err << "reorient: " << options.file.string() << ": " << damage << '\n';
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   if (comparison.frames() == 0)
-    throw std::runtime_error(options.file.string() +
-                             ": no frame of it can be replayed from there; see 'reorient recording info'");
+    throw std::runtime_error(
+        options.file.string() +
+        ": expected frames that can be replayed from there, found none; see 'reorient recording info'");
 
   const std::uint64_t skipped = again.playback().skipped();
   // Damage after the requested part does not matter.

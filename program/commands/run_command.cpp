@@ -290,10 +290,10 @@ void refuse_unused_options(const CLI::App& run, const std::string& robot) {
   const bool has_scenario = run.get_option("scenario")->count() > 0;
   if ((robot == kCompanion || robot == kNao) && has_scenario)
     throw std::runtime_error("--robot " + robot +
-                             " plays no scenario, since the program cannot move that robot; leave it out, and choose "
-                             "with --behaviors");
+                             ": expected no scenario, since the program cannot move that robot; choose behaviors with "
+                             "--behaviors");
   if (robot == kFootage && !has_scenario)
-    throw std::runtime_error("--robot footage: name its source: a folder of images, a video or a log");
+    throw std::runtime_error("--robot footage: expected a source (a folder of images, a video or a log), found none");
   for (const OptionUse& use : kOptionUses) {
     if ((use.robots & robot_named(robot)) != 0 || run.get_option(use.option)->count() == 0) continue;
     if (robot == kCompanion && (use.robots & kOfSimulator) != 0)

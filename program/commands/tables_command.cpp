@@ -21,7 +21,7 @@ namespace {
 
 std::string text_of(const std::filesystem::path& file) {
   const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw std::runtime_error(as_line(file.string()) + " cannot be read");
+  if (!text) throw std::runtime_error(as_line(file.string()) + ": expected a readable file, found none");
   return *text;
 }
 
@@ -51,7 +51,7 @@ void fill(const std::vector<std::filesystem::path>& pages) {
   }
   if (!is_any_with_tables)
     throw std::runtime_error(as_line(pages.front().string()) +
-                             ": no `<!-- rows … -->` comment in it; docs/experiments.md says how to write one");
+                             ": expected a comment <!-- rows … --> (docs/experiments.md), found none");
   for (const auto& [page, text] : changed) write_whole_file(page, text);
 }
 

@@ -46,7 +46,7 @@ CompassParameters compass_parameters(const std::vector<ParameterChange>& changes
   for (const Parameter& parameter : registry.list()) names.push_back(parameter.name);
   for (const ParameterChange& change : changes) {
     if (is_of_peer(change) && registry.find(change.name) == nullptr)
-      throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "there is no parameter '" +
+      throw std::runtime_error((change.source.empty() ? "" : change.source + ": ") + "unknown parameter '" +
                                change.name + "'" + did_you_mean(change.name, names));
   }
   parameters.room = room_parameters(changes);

@@ -38,9 +38,9 @@ std::optional<std::filesystem::path> found_file(std::string_view folder, const s
 std::filesystem::path named_file(const std::string& kind, const std::string& named) {
   const std::string folder = kind + "s";
   if (std::optional<std::filesystem::path> file = found_file(folder, named)) return *std::move(file);
-  throw std::runtime_error("there is no " + kind + " '" + as_line(named) + "'" +
-                           did_you_mean(named, asset_names(folder, kTomlFiles)) + "; name a file, or one of assets/" +
-                           folder);
+  throw std::runtime_error("unknown " + kind + " '" + as_line(named) + "'" +
+                           did_you_mean(named, asset_names(folder, kTomlFiles)) +
+                           "; expected a file, or a name in assets/" + folder);
 }
 
 ConditionPatch named_condition(const std::string& named) { return read_condition(named_file("condition", named)); }
@@ -51,8 +51,8 @@ AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
     return {file->stem().string(), read_condition(*file)};
   std::vector<std::string> known = asset_names("conditions", kTomlFiles);
   for (const AxisChoice& choice : axis.choices) known.push_back(choice.name);
-  throw std::runtime_error("the axis " + as_line(axis.name) + " has no choice '" + as_line(named) + "'" +
-                           did_you_mean(named, known) + "; a condition file is possible, too");
+  throw std::runtime_error("axis " + as_line(axis.name) + ": unknown choice '" + as_line(named) + "'" +
+                           did_you_mean(named, known) + "; expected a choice or a condition file");
 }
 
 void choose_as_told(const SessionOptions& options, Experiment& experiment) {
@@ -63,7 +63,7 @@ void choose_as_told(const SessionOptions& options, Experiment& experiment) {
   for (const std::string& one : options.only) {
     const std::size_t equals = one.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == one.size())
-      throw std::runtime_error("--only " + as_line(one) + ": write AXIS=CHOICE");
+      throw std::runtime_error("--only: expected AXIS=CHOICE, found '" + as_line(one) + "'");
     chosen[one.substr(0, equals)].push_back(one.substr(equals + 1));
   }
   for (const auto& [axis, names] : chosen) choose(experiment, axis, names, choice_from_file);
@@ -86,7 +86,7 @@ Experiment wanted_experiment(const SessionOptions& options) {
     std::string name = std::filesystem::path(room).stem().string();
     if (std::any_of(axis.choices.begin(), axis.choices.end(), is_called(name))) name = room;
     if (std::any_of(axis.choices.begin(), axis.choices.end(), is_called(name)))
-      throw std::runtime_error("the room " + as_line(room) + " is named twice");
+      throw std::runtime_error("--rooms: expected different rooms, found " + as_line(room) + " twice");
     axis.choices.push_back({name, {}});
     axis.choices.back().patch.room = room == kHall ? "" : room;
   }
@@ -103,7 +103,7 @@ class FileHashes {
     const auto known = hashes_.find(file);
     if (known != hashes_.end()) return known->second;
     const std::optional<std::string> bytes = read_whole_file(file);
-    if (!bytes) throw std::runtime_error(file.string() + ": it cannot be read; check its permissions");
+    if (!bytes) throw std::runtime_error(file.string() + ": expected a readable file; check its permissions");
     return hashes_[file] = content_hash(*bytes);
   }
 
@@ -179,7 +179,7 @@ void Session::run(int number) {
   const TrialResult result = run_trial(condition_of(task), task.seed, scripts_, rooms_);
   // Each trial reads the scripts: an edit since the session began would mix results of different scripts.
   if (content_hash(read_scripts(scripts_)) != scripts_hash_)
-    throw std::runtime_error("the scripts in " + scripts_.string() + " have changed since this run began");
+    throw std::runtime_error(scripts_.string() + ": expected unchanged scripts during the experiment, found changes");
   results_.write(number, origin_of(task), result);
 }
 
@@ -200,7 +200,8 @@ std::vector<CellResults> Session::cell_results() const {
   for (const Task& task : tasks_) {
     std::optional<TrialResult> found = result(task.number);
     if (!found)
-      throw std::runtime_error(results_.file_of(task.number).string() + " is gone; --resume runs that trial again");
+      throw std::runtime_error(results_.file_of(task.number).string() +
+                               ": expected the result of a trial, found no file; --resume runs that trial again");
     results[task.cell].trials.push_back(*std::move(found));
   }
   for (CellResults& cell : results) cell.row = row_of(cell.trials);

@@ -126,20 +126,23 @@ std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) con
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
   const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw std::runtime_error(file.string() + ": it cannot be read; check its permissions");
+  if (!text) throw std::runtime_error(file.string() + ": expected a readable file; check its permissions");
   try {
     const ordered_json json = ordered_json::parse(*text);
     if (json.at("checksum").get<std::string>() != checksum(json.at("result")))
       throw std::out_of_range("the checksum does not match");
     if (json.at("task").get<int>() != task || json.at("origin").get<std::string>() != hexadecimal(origin))
-      throw std::runtime_error(file.string() +
-                               ": the result of another trial (other scripts, files, parameters or options, or "
-                               "another program); choose another --out, or remove the folder");
+      throw std::runtime_error(
+          file.string() +
+          ": expected the result of this trial, found that of another (other scripts, files, parameters, options, or "
+          "another program); choose another --out, or remove the folder");
     return result_from(json.at("result"));
   } catch (const nlohmann::json::exception&) {
   } catch (const std::out_of_range&) {
   }
-  throw std::runtime_error(file.string() + ": not a result of a task; remove the file, and the task runs again");
+  throw std::runtime_error(
+      file.string() +
+      ": expected the result of a task, found other or damaged content; remove the file, and the task runs again");
 }
 
 }  // namespace reorient

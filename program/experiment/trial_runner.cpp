@@ -82,7 +82,7 @@ void require_state(const Condition& condition, const ScenarioHost& scenario) {
   }
   const auto place = condition.said_at.find("measured_from");
   throw std::runtime_error(as_line((place == condition.said_at.end() ? "" : place->second + ": ") + "scenario " +
-                                   condition.scenario + " has no state '" + wanted + "'" +
+                                   condition.scenario + ": unknown state '" + wanted + "'" +
                                    did_you_mean(wanted, known)));
 }
 

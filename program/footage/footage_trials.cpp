@@ -86,8 +86,8 @@ FootageTrials::FootageTrials(const FootageSetup& setup, const FootageTrialOption
   const auto& frames = footage_.frames();
   if (const auto lost = std::find_if(frames.begin(), frames.end(), knows_no_pose); lost != frames.end())
     throw BadFootage(setup.source.string() +
-                     ": expected a pose with each image, since trials are judged by it; image " + lost->name +
-                     " has none");
+                     ": expected a pose with each image, since trials are judged by it, found none with image " +
+                     lost->name);
   choose_starts();
   Digest digest;
   digest.add(std::string_view(REORIENT_VERSION));

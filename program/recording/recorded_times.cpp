@@ -14,13 +14,14 @@ namespace {
 
 void require_begun(const Recording& recording, const char* option, double time) {
   if (time + kReadingError < recording.begin_time())
-    throw std::runtime_error(
-        fmt::format("{} {}: the recording begins at {:.2f} s", option, time, recording.begin_time()));
+    throw std::runtime_error(fmt::format("{} {}: expected at least {:.2f}, where the recording begins", option, time,
+                                         recording.begin_time()));
 }
 
 void require_not_over(const Recording& recording, const char* option, double time) {
   if (time > recording.end_time() + kReadingError)
-    throw std::runtime_error(fmt::format("{} {}: the recording ends at {:.2f} s", option, time, recording.end_time()));
+    throw std::runtime_error(
+        fmt::format("{} {}: expected at most {:.2f}, where the recording ends", option, time, recording.end_time()));
 }
 
 }  // namespace

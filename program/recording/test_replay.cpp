@@ -21,7 +21,8 @@ class Played : public PlayedRecording {
   Played(const std::filesystem::path& file, const ScriptTexts& scripts)
       : recording_(file), replay_(recording_), comparison_(replay_.playback()), engine_(replay_.next_stretch()) {
     if (engine_ == nullptr) {
-      throw std::runtime_error(file.string() + ": no frame of it can be replayed; 'reorient recording info' says why");
+      throw std::runtime_error(file.string() +
+                               ": expected frames that can be replayed, found none; see 'reorient recording info'");
     }
     FrameInputs first;
     first.script_edits = edits_between(engine_->scripts(), scripts);

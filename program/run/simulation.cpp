@@ -57,8 +57,8 @@ std::vector<std::string> chosen_behaviors(const SimulationOptions& options, cons
     const auto left_out =
         std::find(rest.begin(), rest.end(), script_file("behaviors", script_named(options.scripts, name)));
     if (left_out == rest.end())
-      throw std::runtime_error(said(options, "without " + name) + ": scenario " + options.scenario +
-                               " has no such behavior" + did_you_mean(name, wanted));
+      throw std::runtime_error(said(options, "without " + name) + ": unknown behavior of scenario " + options.scenario +
+                               did_you_mean(name, wanted));
     rest.erase(left_out);
   }
   std::vector<std::string> chosen;
@@ -67,8 +67,9 @@ std::vector<std::string> chosen_behaviors(const SimulationOptions& options, cons
         with_its_line(options, "with " + name, [&] { return behavior_file(options.scripts, texts, name); });
     for (const std::vector<std::string>& loaded : {rest, chosen}) {
       if (std::find(loaded.begin(), loaded.end(), file) != loaded.end())
-        throw std::runtime_error(said(options, "with " + name) + ": loaded already, by scenario " + options.scenario +
-                                 " or by another --with");
+        throw std::runtime_error(said(options, "with " + name) +
+                                 ": expected a behavior that is not loaded yet, found one of scenario " +
+                                 options.scenario + " or of another --with");
     }
     chosen.push_back(file);
   }
@@ -88,7 +89,7 @@ std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) 
   if (options.model.empty()) return std::nullopt;
   const std::string name = "--model " + options.model.string() + ": ";
   if (!options.room_awareness)
-    throw std::runtime_error(name + "not used with --no-room-awareness; leave out one of them");
+    throw std::runtime_error(name + "expected room awareness, found --no-room-awareness; leave out one of them");
   std::error_code error;
   if (std::filesystem::status(options.model, error).type() == std::filesystem::file_type::not_found)
     return std::nullopt;

@@ -37,16 +37,16 @@ std::filesystem::path existing_file(std::string_view what, std::string_view asse
   std::filesystem::path file = asset_file(assets, named, extensions);
   if (std::filesystem::is_directory(file, error)) {
     const std::vector<std::string> files = candidates(file, extensions);
-    throw std::runtime_error(std::string(what) + " '" + named.string() + "' is a folder; name a file" +
-                             (files.empty() ? "" : " in it, as in " + (file / files.front()).string()));
+    throw std::runtime_error(std::string(what) + " '" + named.string() + "': expected a file, found a folder" +
+                             (files.empty() ? "" : "; name a file in it, as in " + (file / files.front()).string()));
   }
   if (std::filesystem::exists(file, error)) return file;
   std::vector<std::string> known = candidates(file.has_parent_path() ? file.parent_path() : ".", extensions);
   const std::vector<std::string> shipped = asset_names(assets, extensions);
   known.insert(known.end(), shipped.begin(), shipped.end());
   std::string meant = did_you_mean(file.filename().string(), known);
-  if (meant.empty() && !shipped.empty()) meant = "; name a file, or one of " + list_of(shipped);
-  throw std::runtime_error(std::string(what) + " '" + named.string() + "' does not exist" + meant);
+  if (meant.empty() && !shipped.empty()) meant = " (expected a file, or one of " + list_of(shipped) + ")";
+  throw std::runtime_error("unknown " + std::string(what) + " '" + named.string() + "'" + meant);
 }
 
 }  // namespace

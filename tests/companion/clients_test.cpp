@@ -261,7 +261,7 @@ TEST_F(CompanionClient, GetsOneLineForOptionsThatTheCompanionDoesNotUse) {
   const std::filesystem::path link = folder_.path() / "link";
   std::filesystem::create_symlink(folder_.path() / "precious", link);
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
-      {{"run", "mirrored_placement", "--robot", "companion"}, "--robot companion plays no scenario"},
+      {{"run", "mirrored_placement", "--robot", "companion"}, "--robot companion: expected no scenario"},
       {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: not used by the companion"},
       {{"run", "--robot", "companion", "--body", "nao-v6"}, "--body: not used by the companion"},
       {{"run", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},

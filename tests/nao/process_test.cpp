@@ -29,7 +29,7 @@ class NaoProcesses : public ::testing::Test {
 
 TEST_F(NaoProcesses, GetOneLineForOptionsThatANaoDoesNotUse) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
-      {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao plays no scenario"},
+      {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao: expected no scenario"},
       {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: used by the simulator only"},
       {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
       {{"run", "--robot", "nao", "--width", "160"}, "(expected 320 or 640 pixels for a NAO)"},

@@ -97,7 +97,7 @@ TEST_F(BadInput, AnInvalidValueIsNamedWithItsOption) {
 TEST_F(BadInput, ARoomThatIsMissingIsNamed) { expect_refused_run({"--room", path("gone.hdr")}, {"gone.hdr"}); }
 
 TEST_F(BadInput, ARoomThatIsAFolderIsNamed) {
-  expect_refused_run({"--room", folder_.path().string()}, {"is a folder; name a file"});
+  expect_refused_run({"--room", folder_.path().string()}, {"expected a file, found a folder"});
 }
 
 TEST_F(BadInput, ARoomThatIsEmptyIsNamed) { expect_refused_run({"--room", file("hall.hdr", "")}, {"hall.hdr"}); }
@@ -139,7 +139,7 @@ TEST_F(BadInput, AnUnknownParameterIsNamedWithOneThatWasPerhapsMeant) {
 
 TEST_F(BadInput, AnInvalidAssignmentIsReportedWithAnExample) {
   for (const char* setting : {"orientation.lingering", "=0.3", "", "="})
-    expect_refused_run({"--set", setting}, {"--set", "NAME=VALUE"});
+    expect_refused_run({"--set", setting}, {"--set: expected NAME=VALUE", "found '" + std::string(setting) + "'"});
 }
 
 TEST_F(BadInput, AParameterOutOfItsRangeIsNamedWithItsRange) {
@@ -187,19 +187,20 @@ TEST_F(BadInput, AParameterFileCannotWriteOnTheTerminal) {
 TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) { expect_refused_run({"--field", path("gone.toml")}, {"gone.toml"}); }
 
 TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
-  expect_refused_run({"gone"}, {"no scenario 'gone'", "there are elsewhere, fallen, falls, half_time, kidnapped"});
+  expect_refused_run({"gone"}, {"unknown scenario 'gone'", "(expected elsewhere, fallen, falls, half_time, kidnapped"});
   expect_refused_run({path("gone.lua")}, {"gone.lua"});
 }
 
 TEST_F(BadInput, TheNearestRightScriptIsNamed) {
   expect_refused_run({"kidnaped"}, {"did you mean 'kidnapped'?"});
   expect_refused_run({"scenarios/kidnapped"}, {"did you mean 'kidnapped'?"});
-  expect_refused_run({"orientation"}, {"'orientation' is a behavior, and a scenario was expected"});
-  expect_refused_run({"behaviors/orientation.lua"}, {"is a behavior, and a scenario was expected"});
-  expect_refused_run({"--with", "kidnapped"}, {"'kidnapped' is a scenario, and a behavior was expected"});
+  expect_refused_run({"orientation"}, {"expected a scenario, found the behavior 'orientation'"});
+  expect_refused_run({"behaviors/orientation.lua"},
+                     {"expected a scenario, found the behavior 'behaviors/orientation.lua'"});
+  expect_refused_run({"--with", "kidnapped"}, {"expected a behavior, found the scenario 'kidnapped'"});
   expect_refused_run({"--with", "oreintation"}, {"did you mean 'orientation'?"});
-  expect_refused_run({"--with", "behaviors/head_scan.lua"}, {"loaded already"});
-  expect_refused_run({file("mine.lua", "")}, {"outside of the scripts' root", "--scripts"});
+  expect_refused_run({"--with", "behaviors/head_scan.lua"}, {"expected a behavior that is not loaded yet"});
+  expect_refused_run({file("mine.lua", "")}, {"expected a script below", "found one outside", "--scripts"});
   expect_refused_run({"--set", "kidnapped.learn=3"}, {"this run does not load 'kidnapped'"});
 }
 
@@ -208,7 +209,8 @@ TEST_F(BadInput, TheNearestRightFileIsNamed) {
   expect_refused_run({"--room", folder_.path().string()}, {"as in", "hall_of_the_north.hdr"});
   expect_refused_run({"--room", path("hall_of_the_nroth.hdr")}, {"did you mean 'hall_of_the_north.hdr'?"});
   expect_refused_run({"--field", "slp"}, {"did you mean 'spl'?"});
-  expect_refused_run({"--body", "unicorn"}, {"'unicorn' does not exist", "one of booster-k1, booster-t1, nao-v6"});
+  expect_refused_run({"--body", "unicorn"},
+                     {"unknown body 'unicorn' (expected a file, or one of booster-k1, booster-t1, nao-v6"});
   expect_refused_run({"--params", "papre"}, {"did you mean 'paper'?"});
   expect_refused_run({"--params", "light/hrad"}, {"did you mean 'light/hard'?"});
   expect_refused_run({"--json", path("gone/run.json")}, {"No such file or directory"});
@@ -223,8 +225,8 @@ TEST_F(BadInput, TheNearestRightWordIsNamed) {
 
 TEST_F(BadInput, AnEmptyWordIsNoWishForTheDefault) {
   for (const char* option : {"--room", "--field", "--params", "--scripts", "--json", "--save-params", "--out"})
-    expect_refused_run({option, ""}, {option, "is empty"});
-  expect_refused_run({""}, {"no scenario ''"});
+    expect_refused_run({option, ""}, {option, "expected a value, found an empty one"});
+  expect_refused_run({""}, {"unknown scenario ''"});
 }
 
 TEST_F(BadInput, AFolderOfScriptsThatIsMissingIsNamed) {
@@ -253,15 +255,20 @@ TEST_F(BadInput, AFolderForPicturesThatCannotBeMadeIsNamed) {
 }
 
 TEST_F(BadInput, TwoNamesOfOneFileAreNamed) {
-  expect_refused_run({"--json", path("same"), "--record", path("same")}, {"--json and --record name the same file"});
-  expect_refused_run({"--model", path("z"), "--record", path("./z")}, {"--model and --record name the same file"});
-  expect_refused_run({"--json", path("z"), "--save-params", path("z")}, {"--save-params and --json name the same"});
+  expect_refused_run({"--json", path("same"), "--record", path("same")},
+                     {"--json and --record: expected two files, found the same one"});
+  expect_refused_run({"--model", path("z"), "--record", path("./z")},
+                     {"--model and --record: expected two files, found the same one"});
+  expect_refused_run({"--json", path("z"), "--save-params", path("z")},
+                     {"--save-params and --json: expected two files"});
   const std::string tuned = file("tuned.toml", "[orientation]\nlingering = 0.4\n");
-  expect_refused_run({"--params", tuned, "--json", tuned}, {"--params and --json name the same file"});
+  expect_refused_run({"--params", tuned, "--json", tuned},
+                     {"--params and --json: expected two files, found the same one"});
   std::filesystem::create_symlink(tuned, path("link.toml"));
-  expect_refused_run({"--params", tuned, "--record", path("link.toml")}, {"--params and --record name the same"});
+  expect_refused_run({"--params", tuned, "--record", path("link.toml")}, {"--params and --record: expected two files"});
   const std::filesystem::path field = kProjectFolder / "assets/fields/spl.toml";
-  expect_refused_run({"--field", field.string(), "--json", field.string()}, {"--field and --json name the same file"});
+  expect_refused_run({"--field", field.string(), "--json", field.string()},
+                     {"--field and --json: expected two files, found the same one"});
   EXPECT_LE(run_shortly({"--params", tuned, "--save-params", tuned}).code, kWrong) << "tuned on";
   EXPECT_LE(run_shortly({"--json", "/dev/null", "--save-params", "/dev/null"}).code, kWrong);
 }
@@ -269,7 +276,7 @@ TEST_F(BadInput, TwoNamesOfOneFileAreNamed) {
 TEST_F(BadInput, AnOutputInThePlaceOfAScriptIsNamed) {
   const std::string scripts = copy_scripts(folder_.path()).string(), script = scripts + "/behaviors/look_back.lua";
   expect_refused_run({"--scripts", scripts, "--record", script},
-                     {"--record " + script + ": the folder contains scripts"});
+                     {"--record " + script + ": expected a file outside the folder of scripts, found one in it"});
   expect_refused_run({"--scripts", scripts, "--json", script}, {"--json " + script});
   expect_refused({"graph", "orientation", "--scripts", scripts, "--out", script}, {"--out " + script});
   expect_refused({"params", "--scripts", scripts, "--save-params", script}, {"--save-params " + script});
@@ -308,14 +315,16 @@ TEST_F(BadInput, AnInvalidRootOfScriptsIsNamed) {
 
 TEST_F(BadInput, AFolderInsteadOfAFileIsNamed) {
   const std::string folder = folder_.path().string();
-  expect_refused({"graph", "orientation", "--out", folder}, {"it is a folder; name another file with --out"});
-  expect_refused({"params", "--save-params", folder}, {"it is a folder; name another file with --save-params"});
+  expect_refused({"graph", "orientation", "--out", folder},
+                 {"expected a file, found a folder; name another file with --out"});
+  expect_refused({"params", "--save-params", folder},
+                 {"expected a file, found a folder; name another file with --save-params"});
   expect_refused_run({"--params", folder}, {"--params " + folder + ": expected a file, found a folder"});
 }
 
 TEST_F(BadInput, AFileThatIsNotAScriptIsNotCalledMissing) {
-  expect_refused_run({file("empty", "")}, {"empty' is not a script"});
-  expect_refused({"graph", file("mine.lua", "")}, {"is outside of the scripts' root", "--scripts"});
+  expect_refused_run({file("empty", "")}, {"empty': expected a script (*.lua), found another file"});
+  expect_refused({"graph", file("mine.lua", "")}, {"expected a script below", "found one outside", "--scripts"});
 }
 
 TEST_F(BadInput, TheHelpOfTheCommandItselfIsNamed) {

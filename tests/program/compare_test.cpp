@@ -80,8 +80,10 @@ TEST_F(CompareTest, TellsChoicesOfAnAxisWithinOneTable) {
   EXPECT_EQ(done.code, kSuccess) << done.err;
   EXPECT_TRUE(done.out.starts_with("A: mode paper\nB: mode default\n\n")) << done.out;
   EXPECT_NE(done.out.find("-2.2 [-2.5, -2.0]"), std::string::npos) << done.out;
-  expect_refused({before, "--axis", "mod", "--from", "paper", "--to", "default"}, "did you mean 'mode'?");
-  expect_refused({before, "--axis", "mode", "--from", "papr", "--to", "default"}, "did you mean 'paper'?");
+  expect_refused({before, "--axis", "mod", "--from", "paper", "--to", "default"},
+                 "--axis: unknown axis 'mod' (did you mean 'mode'?)");
+  expect_refused({before, "--axis", "mode", "--from", "papr", "--to", "default"},
+                 "axis 'mode': unknown choice 'papr' (did you mean 'paper'?)");
   expect_refused({before, "--axis", "mode"}, "--axis requires");
   expect_refused({before, before, "--axis", "mode", "--from", "paper", "--to", "default"}, "expected two tables, or");
   expect_refused({before}, "expected two tables, or one with --axis");
@@ -93,9 +95,9 @@ TEST_F(CompareTest, TellsSeedsWithoutAPartner) {
       compare({before, after}).out.find("mode default: 3 trials without a trial of the same seed in the other row\n"),
       std::string::npos);
   const std::string other = table("other", "[" + row(kDefault, outcome(8, "3.0")) + "]");
-  expect_refused({before, other}, "no trial of");
+  expect_refused({before, other}, "other.json: expected a trial with the same seed as one of");
   const std::string stranger = table("stranger", "[" + row(R"("light": "hard", )", kFast) + "]");
-  expect_refused({before, stranger}, "no row of");
+  expect_refused({before, stranger}, "stranger.json: expected a row with the same choices as one of");
 }
 
 TEST_F(CompareTest, PairsRowsWhateverTheOrderOfTheirAxes) {
@@ -109,39 +111,45 @@ TEST_F(CompareTest, PairsRowsWhateverTheOrderOfTheirAxes) {
 TEST_F(CompareTest, RefusesWhatIsNoTable) {
   const std::string good = row(kDefault, kFast);
   const std::pair<std::string, std::string> kBad[] = {
-      {"", "invalid or truncated JSON"},
-      {"[\n\n{\"mode\": ", "bad.json:3: invalid or truncated JSON"},
-      {"[" + good.substr(0, good.size() / 2), "invalid or truncated JSON"},
-      {"not JSON", "invalid or truncated JSON"},
-      {"\xFF\xFE[]", "invalid or truncated JSON"},
-      {"[{\"mode\": \"\xC0\xAF\"}]", "invalid or truncated JSON"},
-      {std::string(100'000, '['), "invalid or truncated JSON"},
-      {"[]", "not a list of rows"},
-      {"{}", "not a list of rows"},
-      {"null", "not a list of rows"},
-      {"[1]", "a row that is not an object"},
-      {"[{}]", "a row without \"trials\""},
-      {R"([{"trials": 2}])", "a row without \"false_flips\""},
-      {R"([{"mode": 3, "trials": 2}])", "a row whose choice of \"mode\" is not a text"},
-      {"[" + good + "," + good + "]", "two rows of the same choices"},
-      {"[" + row(kDefault, "7") + "]", "an outcome that is not an object"},
-      {"[" + row(kDefault, "{}") + "]", "an outcome without \"seed\""},
-      {"[" + row(kDefault, R"({"seed": -1})") + "]", "whose \"seed\" is not a non-negative whole number"},
-      {"[" + row(kDefault, R"({"seed": 1e400})") + "]", "a number that is too large"},
-      {"[" + row(kDefault, R"({"seed": 1, "disturbed": 1})") + "]", "\"disturbed\" is neither true nor false"},
-      {"[" + row(kDefault, outcome(1, "1e300")) + "]", "\"right_after_s\" is not a non-negative number"},
-      {"[" + row(kDefault, outcome(1, "-1")) + "]", "\"right_after_s\" is not a non-negative number"},
-      {"[" + row(kDefault, outcome(1, "1") + "," + outcome(1, "2")) + "]", "two outcomes of seed 1"},
+      {"", "expected JSON, found invalid or truncated text"},
+      {"[\n\n{\"mode\": ", "bad.json:3: expected JSON, found invalid or truncated text"},
+      {"[" + good.substr(0, good.size() / 2), "expected JSON, found invalid or truncated text"},
+      {"not JSON", "expected JSON, found invalid or truncated text"},
+      {"\xFF\xFE[]", "expected JSON, found invalid or truncated text"},
+      {"[{\"mode\": \"\xC0\xAF\"}]", "expected JSON, found invalid or truncated text"},
+      {std::string(100'000, '['), "expected JSON, found invalid or truncated text"},
+      {"[]", "expected a list of rows, found an empty one"},
+      {"{}", "expected a list of rows, found object"},
+      {"null", "expected a list of rows, found null"},
+      {"[1]", "expected an object as a row, found 1"},
+      {"[{}]", "expected \"trials\" in a row, found none"},
+      {R"([{"trials": 2}])", "expected \"false_flips\" in a row, found none"},
+      {R"([{"mode": 3, "trials": 2}])", "expected a text as choice of \"mode\" in a row, found 3"},
+      {"[" + good + "," + good + "]", "expected rows with different choices, found two with the same"},
+      {"[" + row(kDefault, "7") + "]", "expected an object as an outcome, found 7"},
+      {"[" + row(kDefault, "{}") + "]", "expected \"seed\" in an outcome, found none"},
+      {"[" + row(kDefault, R"({"seed": -1})") + "]",
+       "expected a non-negative whole number as \"seed\" of an outcome, found -1"},
+      {"[" + row(kDefault, R"({"seed": 1e400})") + "]", "expected numbers below 1.8e308, found a larger one"},
+      {"[" + row(kDefault, R"({"seed": 1, "disturbed": 1})") + "]",
+       "expected true or false as \"disturbed\" of an outcome, found 1"},
+      {"[" + row(kDefault, outcome(1, "1e300")) + "]",
+       "expected a non-negative number as \"right_after_s\" of an outcome, found 1e+300"},
+      {"[" + row(kDefault, outcome(1, "-1")) + "]",
+       "expected a non-negative number as \"right_after_s\" of an outcome, found -1"},
+      {"[" + row(kDefault, outcome(1, "1") + "," + outcome(1, "2")) + "]",
+       "expected different seeds in a row, found 1 twice"},
       {"[" + row(kDefault, outcome(1, "1").replace(outcome(1, "1").find("flip_pose"), 4, "slip")) + "]",
-       "is not a command"},
+       "expected a command as \"mended_by\" of an outcome, found \"slip_pose\""},
   };
   for (const auto& [text, why] : kBad) {
     const std::string bad = table("bad", text);
     expect_refused({before, bad}, why);
     expect_refused({bad, before}, why);
   }
-  expect_refused({before, (folder.path() / "gone.json").string()}, "gone.json: no such file");
-  expect_refused({folder.path().string(), before}, "no such file");
+  expect_refused({before, (folder.path() / "gone.json").string()},
+                 "gone.json: expected a file that 'experiment --json' wrote, found none");
+  expect_refused({folder.path().string(), before}, ": expected a file that 'experiment --json' wrote, found none");
   expect_refused({before, ""}, "second");
 }
 
@@ -171,7 +179,7 @@ TEST_F(CompareTest, IsNotInTheWayOfAnExperimentOfThatName) {
   const ProgramRun done = run_reorient({"experiment", (folder.path() / "compare.toml").string()});
   EXPECT_EQ(done.code, kBadInput);
   EXPECT_NE(done.err.find("compare.toml:1: title"), std::string::npos) << done.err;
-  EXPECT_NE(run_reorient({"experiment"}).err.find("name an experiment"), std::string::npos);
+  EXPECT_NE(run_reorient({"experiment"}).err.find("expected an experiment"), std::string::npos);
   EXPECT_NE(run_reorient({"experiment", "compare", "--help"}).out.find("--axis"), std::string::npos);
 }
 

@@ -149,15 +149,16 @@ TEST_F(HistoryFile, LeavesOutWhatNoPromptHasWritten) {
 
 TEST_F(HistoryFile, WritesToNothingButAPlainFile) {
   std::filesystem::create_directories(file);
-  EXPECT_NE(refusal().find("is no plain file"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("expected a plain file, found another type of file"), std::string::npos) << refusal();
   std::filesystem::remove(file);
   folder.write("precious.txt", "mine\n");
   std::filesystem::create_symlink(folder.path() / "precious.txt", file);
-  EXPECT_NE(refusal().find("is a link"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("expected a plain file, found a link"), std::string::npos) << refusal();
   EXPECT_EQ(read_text(folder.path() / "precious.txt"), "mine\n");
   std::filesystem::remove(file);
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-  EXPECT_NE(refusal().find("is no plain file"), std::string::npos) << "and does not block";
+  EXPECT_NE(refusal().find("expected a plain file, found another type of file"), std::string::npos)
+      << "and does not block";
   std::filesystem::remove_all(file.parent_path());
   folder.write("reorient", "a file where the folder should be");
   EXPECT_NE(refusal(), "");

@@ -140,11 +140,12 @@ TEST(TaskResultsTest, OfWhichABitIsAnotherOrTheEndIsMissingAreRefused) {
 TEST_F(ResultsTest, OfAnotherTaskAreRefusedAndStay) {
   ASSERT_EQ(run({"--out", path("out"), "--tasks", "1-2"}).code, kSuccess);
   std::filesystem::copy_file(result("out", 2), result("out", 3));
-  expect_refused({"--out", path("out"), "--resume"}, "000003.json: the result of another trial");
+  expect_refused({"--out", path("out"), "--resume"},
+                 "000003.json: expected the result of this trial, found that of another");
   EXPECT_EQ(read_text(result("out", 3)), read_text(result("out", 2)));
   std::filesystem::remove(result("out", 3));
   std::filesystem::create_directory(result("out", 3));
-  expect_refused({"--out", path("out"), "--resume"}, "000003.json: it cannot be read");
+  expect_refused({"--out", path("out"), "--resume"}, "000003.json: expected a readable file");
 }
 
 TEST_F(ResultsTest, OfOtherScriptsAreRefused) {
@@ -153,7 +154,7 @@ TEST_F(ResultsTest, OfOtherScriptsAreRefused) {
   ASSERT_EQ(run(one_task).code, kSuccess);
   EXPECT_EQ(run(one_task).code, kSuccess);
   folder.write("scripts/lib/of_our_own.lua", "return {}");
-  expect_refused(one_task, "000001.json: the result of another trial (other scripts, ");
+  expect_refused(one_task, "000001.json: expected the result of this trial, found that of another (other scripts, ");
 }
 
 TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
@@ -169,9 +170,9 @@ TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
   ASSERT_EQ(run(in_hall("3")).code, kSuccess);
   folder.write("own.toml", field + "\n# another one\n");
   EXPECT_EQ(run(in_hall("1")).code, kSuccess);
-  expect_refused(in_hall("3"), "000003.json: the result of another trial");
+  expect_refused(in_hall("3"), "000003.json: expected the result of this trial, found that of another");
   folder.write("hall.hdr", gray_room('\x61'));
-  expect_refused(in_hall("1"), "000001.json: the result of another trial");
+  expect_refused(in_hall("1"), "000001.json: expected the result of this trial, found that of another");
 }
 
 TEST_F(ResultsTest, AreNotMadeWithScriptsThatChangedMeanwhile) {
@@ -199,7 +200,8 @@ TEST_F(ResultsTest, ThatVanishAreMissed) {
     static_cast<void>(session.cell_results());
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(error.what(), result("out", 2).string() + " is gone; --resume runs that trial again");
+    EXPECT_EQ(error.what(), result("out", 2).string() +
+                                ": expected the result of a trial, found no file; --resume runs that trial again");
   }
 }
 

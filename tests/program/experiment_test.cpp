@@ -63,11 +63,13 @@ TEST_F(ExperimentTest, RunsNoTaskTwice) {
 TEST_F(ExperimentTest, DoesNotMixTwoRuns) {
   table("out", {"--trials", "1"});
   expect_refused({"--out", path("out"), "--trials", "1"}, "contains 2 of 2 results already; --resume continues");
-  expect_refused({"--out", path("out"), "--trials", "1", "--seed", "9", "--resume"}, "the result of another trial");
+  expect_refused({"--out", path("out"), "--trials", "1", "--seed", "9", "--resume"},
+                 "expected the result of this trial, found that of another");
   expect_refused({"--out", path("out"), "--trials", "1", "--set", "orientation.lingering=0.3", "--resume"},
-                 "the result of another trial");
+                 "expected the result of this trial, found that of another");
   folder.write("out/tasks/000001.json", "{\"task\": 1");
-  expect_refused({"--out", path("out"), "--trials", "1", "--resume"}, "000001.json: not a result of a task");
+  expect_refused({"--out", path("out"), "--trials", "1", "--resume"},
+                 "000001.json: expected the result of a task, found other or damaged content");
 }
 
 TEST_F(ExperimentTest, RunsPartOfItsTasks) {
@@ -104,9 +106,9 @@ TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
   const std::filesystem::path mine = folder.write("eager.toml", "parameters.orientation.lingering = 0.1\n");
   const std::string own = table("own", {"--mode", "none", "--mode", mine.string(), "--trials", "1"});
   EXPECT_NE(own.find("\"mode\": \"eager\""), std::string::npos) << own;
-  expect_refused({"--mode", "nnoe"}, "the axis mode has no choice 'nnoe' (did you mean 'none'?)");
+  expect_refused({"--mode", "nnoe"}, "axis mode: unknown choice 'nnoe' (did you mean 'none'?)");
   expect_refused({"--light", "hard"}, "unknown axis 'light'");
-  expect_refused({"--only", "mode"}, "--only mode: write AXIS=CHOICE");
+  expect_refused({"--only", "mode"}, "--only: expected AXIS=CHOICE, found 'mode'");
   folder.write("eager.toml", "parameters.orientation.lingring = 0.1\nlimti = 3\n");
   expect_refused({"--mode", mine.string()}, "eager.toml:2: unknown key 'limti'");
 }
@@ -114,7 +116,7 @@ TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
 TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {
   const std::string halls = table("out", {"--rooms", "hall", "--mode", "none", "--trials", "1"});
   EXPECT_NE(halls.find("\"room\": \"hall\""), std::string::npos) << halls;
-  expect_refused({"--rooms", "hall", "hall"}, "the room hall is named twice");
+  expect_refused({"--rooms", "hall", "hall"}, "--rooms: expected different rooms, found hall twice");
 }
 
 TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {

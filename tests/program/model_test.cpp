@@ -112,13 +112,14 @@ TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
                  "another file with --model");
   expect_refused(good, {"--set", "color.dark_below=80"}, "color.dark_below=85");
   expect_refused(good, {"--params", "paper"}, "light_adaptation.enabled=true");
-  expect_refused(good, {"--no-room-awareness"}, "not used with --no-room-awareness");
+  expect_refused(good, {"--no-room-awareness"}, "expected room awareness, found --no-room-awareness");
 }
 
 TEST_F(RunWithAModel, IsRefusedWhatIsNoFile) {
   std::filesystem::create_directory(folder.path() / "folder");
   mkfifo((folder.path() / "pipe").c_str(), 0600);
-  for (const auto& [name, complaint] : {std::pair("folder", "it is a folder"), {"pipe", "it is no plain file"}}) {
+  for (const auto& [name, complaint] : {std::pair("folder", "expected a file, found a folder"),
+                                        {"pipe", "expected a plain file, found another type"}}) {
     const ProgramRun refused = run_shortly({"--model", (folder.path() / name).string()});
     EXPECT_EQ(refused.code, kBadInput);
     EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
@@ -139,7 +140,8 @@ TEST_F(RunWithAModel, IsRefusedOneThatMayNotBeRead) {
   const int code = run.wait();
   if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
   EXPECT_EQ(code, kBadInput);
-  EXPECT_NE(run.err().find("it cannot be read; it was not changed"), std::string::npos) << run.err();
+  EXPECT_NE(run.err().find("expected a readable file; check its permissions; it was not changed"), std::string::npos)
+      << run.err();
 }
 
 TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
@@ -342,11 +344,12 @@ TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
 TEST_F(ModelCommand, TakesNoModelForTwo) {
   const std::string one = file_of(some_model(1), "one"), copy = file_of(some_model(1), "copy");
   const std::string other = file_of(some_model(1, 1), "other"), before = read_text(one);
-  expect_bad({"merge", one, one, "--out", one}, "name the same file");
+  expect_bad({"merge", one, one, "--out", one}, "expected two files, found the same one");
   expect_bad({"merge", one, one, "--out", (folder.path() / "both").string()}, "A and B are the same model");
   expect_bad({"merge", one, copy, "--out", (folder.path() / "both").string()}, "A and B are the same model");
-  expect_bad({"merge", one, other, "--out", other}, "a model to merge and --out name the same file");
-  expect_bad({one, "--picture", one}, "the model and --picture name the same file");
+  expect_bad({"merge", one, other, "--out", other},
+             "a model to merge and --out: expected two files, found the same one");
+  expect_bad({one, "--picture", one}, "the model and --picture: expected two files, found the same one");
   EXPECT_EQ(read_text(one), before);
   const ProgramRun same = model({"compare", one, copy});
   EXPECT_NE(same.out.find("no tile differs\n"), std::string::npos) << same.out;
@@ -354,10 +357,11 @@ TEST_F(ModelCommand, TakesNoModelForTwo) {
 }
 
 TEST_F(ModelCommand, RefusesWhatIsNoModel) {
-  expect_bad({}, "name a file that 'reorient run --model FILE' wrote");
-  expect_bad({(folder.path() / "none").string()}, "there is no such file; name a file that");
-  expect_bad({folder.path().string()}, "it is a folder; name a file that");
-  expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()}, "it is not a model of a room");
+  expect_bad({}, "expected a file that 'reorient run --model FILE' wrote, found none");
+  expect_bad({(folder.path() / "none").string()}, "expected a file, found none; name a file that");
+  expect_bad({folder.path().string()}, "expected a file, found a folder; name a file that");
+  expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()},
+             "expected a model of a room, found a larger file");
   for (const test::DamagedModel& damaged : test::damaged_models()) {
     SCOPED_TRACE(damaged.what);
     expect_bad({file_of(damaged.bytes)}, damaged.complaint);

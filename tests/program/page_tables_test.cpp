@@ -37,7 +37,7 @@ std::string filled(const std::string& page) {
     const auto found = kFiles.find(file.string());
     if (found != kFiles.end()) return found->second;
     if (file.string().ends_with(".run.json")) return std::string();
-    throw std::runtime_error(file.string() + " cannot be read");
+    throw std::runtime_error(file.string() + ": expected a readable file, found none");
   });
 }
 
@@ -79,7 +79,7 @@ TEST(PageTables, ShowRowsThatHaveOneOfSeveralValues) {
   const std::string made = filled(comment + "<!-- end of rows -->\n");
   EXPECT_NE(made.find("| head only | 100 |\n| a \\| b | 100 |\n"), std::string::npos) << made;
   EXPECT_EQ(mistake("<!-- rows t.json: test | mode = default, trials = 20, trials = 30 -->\n<!-- end of rows -->\n"),
-            "line 1: t.json has no such rows");
+            "line 1: t.json: expected rows with the required values, found none");
 }
 
 TEST(PageTables, SayHowTheirResultsWereMade) {
@@ -106,7 +106,7 @@ TEST(PageTables, LeaveAFileWithoutCommentsAlone) {
   const std::string file = folder.write("hall.model", "learned").string();
   const ProgramRun run = run_reorient({"experiment", "tables", file});
   EXPECT_EQ(run.code, kBadInput);
-  EXPECT_NE(run.err.find(file + ": no `<!-- rows"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(file + ": expected a comment <!-- rows"), std::string::npos) << run.err;
   EXPECT_EQ(read_text(file), "learned");
 }
 
@@ -130,17 +130,22 @@ TEST(PageTables, OfSeveralPagesAreWrittenOnlyIfAllAreRight) {
 
 TEST(PageTables, NameTheLineOfAMistake) {
   const std::string end = "\n<!-- end of rows -->\n";
-  EXPECT_EQ(mistake("\n<!-- rows t.json: trails -->" + end), "line 2: a row has no 'trails' (did you mean 'trials'?)");
-  EXPECT_EQ(mistake("<!-- rows gone.json: trials -->" + end), "line 1: gone.json cannot be read");
-  EXPECT_EQ(mistake("<!-- rows bad.json: trials -->" + end), "line 1: bad.json is no JSON");
-  EXPECT_EQ(mistake("<!-- rows table.json: trials -->" + end), "line 1: table.json is not a list of rows");
-  EXPECT_EQ(mistake("<!-- rows t.json: trials | mode = paper -->" + end), "line 1: t.json has no such rows");
-  EXPECT_EQ(mistake("<!-- rows t.json -->" + end), "line 1: write FILE.json: columns");
-  EXPECT_EQ(mistake("<!-- rows t.json: trials" + end), "line 1: the comment must end on its line");
-  EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n"), "line 1: these rows do not end; add <!-- end of rows -->");
-  EXPECT_EQ(mistake("<!-- end of rows -->\n"), "line 1: no rows begin before this end");
+  EXPECT_EQ(mistake("\n<!-- rows t.json: trails -->" + end), "line 2: unknown key 'trails' (did you mean 'trials'?)");
+  EXPECT_EQ(mistake("<!-- rows gone.json: trials -->" + end),
+            "line 1: gone.json: expected a readable file, found none");
+  EXPECT_EQ(mistake("<!-- rows bad.json: trials -->" + end),
+            "line 1: bad.json: expected JSON, found invalid or truncated text");
+  EXPECT_EQ(mistake("<!-- rows table.json: trials -->" + end),
+            "line 1: table.json: expected a list of rows, found object");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials | mode = paper -->" + end),
+            "line 1: t.json: expected rows with the required values, found none");
+  EXPECT_EQ(mistake("<!-- rows t.json -->" + end), "line 1: expected FILE.json: COLUMNS, found 't.json'");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials" + end), "line 1: expected --> at the end of the line, found none");
+  EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n"),
+            "line 1: expected <!-- end of rows --> after these rows, found none");
+  EXPECT_EQ(mistake("<!-- end of rows -->\n"), "line 1: expected <!-- rows ... --> before this comment, found none");
   EXPECT_EQ(mistake("<!-- rows t.json: trials -->\n<!-- rows t.json: trials -->" + end),
-            "line 2: the rows from line 1 on do not end");
+            "line 2: expected <!-- end of rows --> for the rows of line 1, found other rows");
 }
 
 /// REORIENT_REGENERATE in the environment generates them again instead of comparing them.

@@ -82,7 +82,7 @@ TEST_F(ParameterModulesTest, WarnsOnceOfAFormerFieldInAFileThatIsLoaded) {
 
 TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
   EXPECT_EQ(refusal(in_file("orientation.lingring")),
-            "team.toml:7: there is no parameter 'orientation.lingring' (set by the file) (did you mean "
+            "team.toml:7: unknown parameter 'orientation.lingring' (did you mean "
             "'orientation.lingering'?)");
   EXPECT_NE(refusal(in_file("silent.lead")), "accepted");
   EXPECT_NE(refusal(in_file("lead")), "accepted") << "a name without a module";

@@ -68,7 +68,9 @@ TEST(Program, LeavesABehaviorOut) {
   EXPECT_NE(run.out.find("orientation"), std::string::npos) << run.out;
   const ProgramRun slip = run_shortly({"--without", "head_scann"});
   EXPECT_EQ(slip.code, kBadInput);
-  EXPECT_NE(slip.err.find("has no such behavior (did you mean 'head_scan'?)"), std::string::npos) << slip.err;
+  EXPECT_NE(slip.err.find("unknown behavior of scenario mirrored_placement (did you mean 'head_scan'?)"),
+            std::string::npos)
+      << slip.err;
 }
 
 TEST(Program, LoadsNoBehaviorTwice) {
@@ -76,7 +78,7 @@ TEST(Program, LoadsNoBehaviorTwice) {
                             {"--with", "paper/paper_training", "--with", "paper/paper_training"}}) {
     const ProgramRun run = run_shortly(words);
     EXPECT_EQ(run.code, kBadInput);
-    EXPECT_NE(run.err.find("loaded already"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("expected a behavior that is not loaded yet"), std::string::npos) << run.err;
   }
 }
 

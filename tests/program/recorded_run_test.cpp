@@ -392,16 +392,17 @@ TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {
   run_shortly({"--record", file("run.mcap")});
   run_reorient({"recording", "cut", file("run.mcap"), "--from", "2", "--out", file("late.mcap")});
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
-      {{"replay", "run", "--from", "100"}, "--from 100: the recording ends at 3.00 s"},
+      {{"replay", "run", "--from", "100"}, "--from 100: expected at most 3.00, where the recording ends"},
       {{"replay", "run", "--from", "2", "--to", "1"}, "--from 2 --to 1: expected --to at or after --from"},
       {{"replay", "run", "--from", "nan"}, "--from: expected a non-negative number of seconds, found 'nan'"},
       {{"replay", "run", "--to", "-1"}, "--to: expected a non-negative number of seconds, found '-1'"},
-      {{"replay", "late", "--to", "1"}, "--to 1: the recording begins at 2.00 s"},
-      {{"recording", "pictures", "run", "--at", "500"}, "--at 500: the recording ends at 3.00 s"},
+      {{"replay", "late", "--to", "1"}, "--to 1: expected at least 2.00, where the recording begins"},
+      {{"recording", "pictures", "run", "--at", "500"}, "--at 500: expected at most 3.00, where the recording ends"},
       {{"recording", "pictures", "run", "--at", "nan"}, "--at: expected a non-negative number of seconds, found 'nan'"},
       {{"recording", "cut", "run", "--from", "nan", "--to", "2", "--out", "part"},
        "--from: expected a non-negative number of seconds, found 'nan'"},
-      {{"recording", "cut", "run", "--from", "50", "--out", "part"}, "--from 50: the recording ends at 3.00 s"},
+      {{"recording", "cut", "run", "--from", "50", "--out", "part"},
+       "--from 50: expected at most 3.00, where the recording ends"},
       {{"record-test", "run", "--from", "nan", "--to", "nan", "--name", "x"},
        "--from: expected a non-negative number of seconds, found 'nan'"},
   };
@@ -438,8 +439,9 @@ TEST_F(RunThatIsRecorded, RefusesInvalidOptionsWithOneLine) {
       {{"recording", "info", text}, "name a recording"},
       {{"recording", "cut", file("run.mcap")}, "--out is required"},
       {{"recording", "recover", file("run.mcap"), "--out", file("run.mcap")},
-       "the recording and --out name the same file"},
-      {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", file("run.mcap")}, "name the same file"},
+       "the recording and --out: expected two files, found the same one"},
+      {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", file("run.mcap")},
+       "expected two files, found the same one"},
       {{"recording", "recover", file("run.mcap"), "--out", text}, "the file exists and is not a recording"},
       {{"run", "--record", file("x.mcap"), "--record-rotate", "often"}, "expected a size or a time"},
       {{"run", "--record", file("x.mcap"), "--record-rotate", "-5min"}, "expected a size or a time"},

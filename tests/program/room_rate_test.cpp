@@ -153,10 +153,10 @@ TEST_F(RoomRate, RefusesEachDamagedModel) {
 }
 
 TEST_F(RoomRate, RefusesWhatIsNoRoom) {
-  expect_refused({path("no.model")}, "no.model: there is no such file");
-  expect_refused({path("no.hdr")}, "no.hdr' does not exist");
-  expect_refused({path("no.mcap")}, "no.mcap: there is no such file");
-  expect_refused({folder.path().string()}, "it is a folder");
+  expect_refused({path("no.model")}, "no.model: expected a file, found none");
+  expect_refused({path("no.hdr")}, "unknown room '" + path("no.hdr") + "'");
+  expect_refused({path("no.mcap")}, "no.mcap: expected a file, found none");
+  expect_refused({folder.path().string()}, "expected a file, found a folder");
   expect_refused({folder.write("a.txt", "hello\n").string()},
                  "a.txt: it is not a model of a room; name a panorama (.hdr, .png, .jpg)");
   expect_refused({folder.write("a.hdr", "hello\n").string()}, "a.hdr");

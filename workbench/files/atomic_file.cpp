@@ -202,7 +202,7 @@ std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
 void require_writable_file(const std::filesystem::path& file, std::string_view option) {
   std::error_code failed;
   const bool is_folder = std::filesystem::is_directory(file, failed);
-  const std::optional<std::string> reason = is_folder ? "it is a folder" : why_not_writable(file);
+  const std::optional<std::string> reason = is_folder ? "expected a file, found a folder" : why_not_writable(file);
   if (!reason) return;
   throw std::runtime_error("cannot write '" + file.string() + "': " + *reason + "; name another file with " +
                            std::string(option));

@@ -45,10 +45,11 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 TableWish wish_of(std::string_view comment) {
   constexpr std::string_view kClose = "-->";
-  if (!comment.ends_with(kClose)) throw std::runtime_error("the comment must end on its line");
+  if (!comment.ends_with(kClose)) throw std::runtime_error("expected --> at the end of the line, found none");
   comment = comment.substr(kBegin.size(), comment.size() - kBegin.size() - kClose.size());
   const std::size_t colon = comment.find(':');
-  if (colon == std::string_view::npos) throw std::runtime_error("write FILE.json: columns");
+  const auto fail = [&] { throw std::runtime_error("expected FILE.json: COLUMNS, found '" + trimmed(comment) + "'"); };
+  if (colon == std::string_view::npos) fail();
   TableWish wish;
   wish.file = trimmed(comment.substr(0, colon));
   const std::vector<std::string> parts = split(comment.substr(colon + 1), '|');
@@ -62,13 +63,13 @@ TableWish wish_of(std::string_view comment) {
       }
     }
   }
-  if (wish.file.empty() || wish.columns.empty()) throw std::runtime_error("write FILE.json: columns");
+  if (wish.file.empty() || wish.columns.empty()) fail();
   return wish;
 }
 
 ordered_json parsed(const std::string& text, const std::string& file) {
   ordered_json json = ordered_json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw std::runtime_error(file + " is no JSON");
+  if (json.is_discarded()) throw std::runtime_error(file + ": expected JSON, found invalid or truncated text");
   return json;
 }
 
@@ -77,7 +78,7 @@ const ordered_json& value_of(const ordered_json& row, const std::string& key) {
   if (found != row.end()) return *found;
   std::vector<std::string> keys;
   for (const auto& [name, value] : row.items()) keys.push_back(name);
-  throw std::runtime_error("a row has no '" + key + "'" + did_you_mean(key, keys));
+  throw std::runtime_error("unknown key '" + key + "'" + did_you_mean(key, keys));
 }
 
 bool is_share(const std::string& key) {
@@ -91,7 +92,8 @@ std::string number_text(const std::string& key, const ordered_json& value, const
   if (value.is_null()) return nothing;
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
-  if (!value.is_number()) throw std::runtime_error("'" + key + "' is neither a number nor a text");
+  if (!value.is_number())
+    throw std::runtime_error("'" + key + "': expected a number or a text, found " + value.type_name());
   if (is_share(key)) return fmt::format("{:.1f} %", 100.0 * value.get<double>());
   if (key.starts_with("auc_") || key.ends_with("_m")) return fmt::format("{:.3f}", value.get<double>());
   return fmt::format("{:.{}f}", value.get<double>(), key.ends_with("_s") || key.ends_with("_mean_low") ? 1 : 2);
@@ -126,14 +128,14 @@ std::string in_cell(const std::string& text) {
 }
 
 std::string table_of(const TableWish& wish, const ordered_json& rows) {
-  if (!rows.is_array()) throw std::runtime_error(wish.file + " is not a list of rows");
+  if (!rows.is_array()) throw std::runtime_error(wish.file + ": expected a list of rows, found " + rows.type_name());
   std::string head = "|", line = "|", body;
   for (const std::string& column : wish.columns) {
     head += " " + in_cell(title_of(column)) + " |";
     line += "---|";
   }
   for (const ordered_json& row : rows) {
-    if (!row.is_object()) throw std::runtime_error(wish.file + " is not a list of rows");
+    if (!row.is_object()) throw std::runtime_error(wish.file + ": expected objects as rows, found " + row.type_name());
     const bool is_wanted = std::all_of(wish.only.begin(), wish.only.end(), [&row](const auto& only) {
       const auto& [key, values] = only;
       return std::find(values.begin(), values.end(), number_text(key, value_of(row, key))) != values.end();
@@ -143,7 +145,7 @@ std::string table_of(const TableWish& wish, const ordered_json& rows) {
     for (const std::string& column : wish.columns) body += " " + in_cell(cell_of(row, column)) + " |";
     body += "\n";
   }
-  if (body.empty()) throw std::runtime_error(wish.file + " has no such rows");
+  if (body.empty()) throw std::runtime_error(wish.file + ": expected rows with the required values, found none");
   return head + "\n" + line + "\n" + body;
 }
 
@@ -151,7 +153,7 @@ std::string table_of(const TableWish& wish, const ordered_json& rows) {
 std::string origin_of(const std::string& text, const std::string& file) {
   if (text.empty()) return {};
   const ordered_json run = parsed(text, file);
-  if (!run.is_object()) throw std::runtime_error(file + " is no table");
+  if (!run.is_object()) throw std::runtime_error(file + ": expected an object, found " + run.type_name());
   std::string line = "\n";
   for (const char* key : {"command", "commit", "seeds", "machine", "when"}) {
     const std::string value = as_line(number_text(key, value_of(run, key)));
@@ -196,14 +198,18 @@ std::string with_tables(std::string_view page,
     const auto [line, line_end] = take_line(page);
     ++number;
     if (line == kEnd) {
-      if (open == 0) throw std::runtime_error(fmt::format("line {}: no rows begin before this end", number));
+      if (open == 0)
+        throw std::runtime_error(
+            fmt::format("line {}: expected {}... --> before this comment, found none", number, kBegin));
       open = 0;
     } else if (open > 0 && !line.starts_with(kBegin)) {
       continue;  // the old table
     }
     made.append(line).append(line_end);
     if (!line.starts_with(kBegin)) continue;
-    if (open > 0) throw std::runtime_error(fmt::format("line {}: the rows from line {} on do not end", number, open));
+    if (open > 0)
+      throw std::runtime_error(
+          fmt::format("line {}: expected {} for the rows of line {}, found other rows", number, kEnd, open));
     open = number;
     try {
       const TableWish wish = wish_of(line);
@@ -215,7 +221,7 @@ std::string with_tables(std::string_view page,
       throw std::runtime_error(fmt::format("line {}: {}", number, error.what()));
     }
   }
-  if (open > 0) throw std::runtime_error(fmt::format("line {}: these rows do not end; add {}", open, kEnd));
+  if (open > 0) throw std::runtime_error(fmt::format("line {}: expected {} after these rows, found none", open, kEnd));
   return made;
 }
 

@@ -107,12 +107,11 @@ PairedRows pair_choices(const std::vector<StoredRow>& rows, const std::string& a
     }
   }
   if (choices.empty())
-    throw std::runtime_error("there is no axis '" + as_line(axis) + "' in this table" +
-                             did_you_mean(axis, listed(axes)));
+    throw std::runtime_error("--axis: unknown axis '" + as_line(axis) + "'" + did_you_mean(axis, listed(axes)));
   const auto chosen = [&](const std::string& wanted) {
     if (!choices.contains(wanted))
-      throw std::runtime_error("the axis '" + as_line(axis) + "' has no choice '" + as_line(wanted) +
-                               "' in this table" + did_you_mean(wanted, listed(choices)));
+      throw std::runtime_error("axis '" + as_line(axis) + "': unknown choice '" + as_line(wanted) + "'" +
+                               did_you_mean(wanted, listed(choices)));
     std::vector<StoredRow> some;
     for (const StoredRow& row : rows) {
       if (std::find(row.choices.begin(), row.choices.end(), std::pair(axis, wanted)) != row.choices.end())
@@ -144,12 +143,13 @@ void print_comparison(const PairedRows& rows, std::ostream& out) {
                            counted(comparison.without_pair, "trial"));
   }
   if (rows.pairs.empty())
-    throw std::runtime_error(fmt::format("no row of {} has a partner in {}: {}, but {}", rows.first_name,
-                                         rows.second_name, rows.only_first.front(), rows.only_second.front()));
+    throw std::runtime_error(fmt::format("{}: expected a row with the same choices as one of {} ({}), found none ({})",
+                                         rows.second_name, rows.first_name, rows.only_first.front(),
+                                         rows.only_second.front()));
   if (pairs == 0)
     throw std::runtime_error(
-        fmt::format("no trial of {} has a partner of its seed in {}; run both with the same --seed", rows.first_name,
-                    rows.second_name));
+        fmt::format("{}: expected a trial with the same seed as one of {}, found none; run both with the same --seed",
+                    rows.second_name, rows.first_name));
   for (const std::string& row : rows.only_first) notes += row + ": only in A\n";
   for (const std::string& row : rows.only_second) notes += row + ": only in B\n";
   out << "A: " << rows.first_name << "\nB: " << rows.second_name << "\n\n";

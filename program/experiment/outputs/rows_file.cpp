@@ -25,9 +25,17 @@ struct Flaw : std::runtime_error {
 constexpr double kLongest = 1e9;  // s or hours: larger than any measurement
 constexpr int kMostEvents = 1'000'000'000;
 
+/// A short value as it is in the file, otherwise its type.
+std::string shown(const ordered_json& value) {
+  constexpr std::size_t kLongest = 40;
+  const bool is_short = !value.is_structured() && (!value.is_string() || value.size() <= kLongest);
+  const std::string text = is_short ? value.dump() : std::string();
+  return text.empty() || text.size() > kLongest ? value.type_name() : text;
+}
+
 const ordered_json& at(const ordered_json& table, const char* key, const char* what) {
   const auto found = table.find(key);
-  if (found == table.end()) throw Flaw(fmt::format("{} without \"{}\"", what, key));
+  if (found == table.end()) throw Flaw(fmt::format("expected \"{}\" in {}, found none", key, what));
   return *found;
 }
 
@@ -35,7 +43,7 @@ double number_at(const ordered_json& table, const char* key, const char* what) {
   const ordered_json& value = at(table, key, what);
   const double number = value.is_number() ? value.get<double>() : -1.0;
   if (!(number >= 0.0 && number <= kLongest))
-    throw Flaw(fmt::format("{} whose \"{}\" is not a non-negative number", what, key));
+    throw Flaw(fmt::format("expected a non-negative number as \"{}\" of {}, found {}", key, what, shown(value)));
   return number;
 }
 
@@ -47,13 +55,14 @@ std::optional<double> optional_number_at(const ordered_json& table, const char* 
 int count_at(const ordered_json& table, const char* key, const char* what) {
   const ordered_json& value = at(table, key, what);
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostEvents)
-    throw Flaw(fmt::format("{} whose \"{}\" is not a non-negative whole number", what, key));
+    throw Flaw(fmt::format("expected a non-negative whole number as \"{}\" of {}, found {}", key, what, shown(value)));
   return value.get<int>();
 }
 
 bool yes_at(const ordered_json& table, const char* key, const char* what) {
   const ordered_json& value = at(table, key, what);
-  if (!value.is_boolean()) throw Flaw(fmt::format("{} whose \"{}\" is neither true nor false", what, key));
+  if (!value.is_boolean())
+    throw Flaw(fmt::format("expected true or false as \"{}\" of {}, found {}", key, what, shown(value)));
   return value.get<bool>();
 }
 
@@ -64,14 +73,15 @@ std::optional<Reorientation> reorientation_at(const ordered_json& table, const c
     const auto reorientation = static_cast<Reorientation>(i);
     if (value == to_string(reorientation)) return reorientation;
   }
-  throw Flaw(fmt::format("{} whose \"{}\" is not a command", what, key));
+  throw Flaw(fmt::format("expected a command as \"{}\" of {}, found {}", key, what, shown(value)));
 }
 
 Outcome outcome_from(const ordered_json& table) {
   constexpr const char* kWhat = "an outcome";
-  if (!table.is_object()) throw Flaw("an outcome that is not an object");
+  if (!table.is_object()) throw Flaw("expected an object as an outcome, found " + shown(table));
   const ordered_json& seed = at(table, "seed", kWhat);
-  if (!seed.is_number_unsigned()) throw Flaw("an outcome whose \"seed\" is not a non-negative whole number");
+  if (!seed.is_number_unsigned())
+    throw Flaw("expected a non-negative whole number as \"seed\" of an outcome, found " + shown(seed));
   return {seed.get<std::uint64_t>(),
           yes_at(table, "disturbed", kWhat),
           yes_at(table, "failed", kWhat),
@@ -83,12 +93,13 @@ Outcome outcome_from(const ordered_json& table) {
 
 StoredRow row_from(const ordered_json& table) {
   constexpr const char* kWhat = "a row";
-  if (!table.is_object()) throw Flaw("a row that is not an object");
+  if (!table.is_object()) throw Flaw("expected an object as a row, found " + shown(table));
   static_cast<void>(at(table, "trials", kWhat));
   StoredRow row;
   // The axes' choices come first.
   for (auto entry = table.begin(); entry != table.end() && entry.key() != "trials"; ++entry) {
-    if (!entry->is_string()) throw Flaw(fmt::format("a row whose choice of \"{}\" is not a text", entry.key()));
+    if (!entry->is_string())
+      throw Flaw(fmt::format("expected a text as choice of \"{}\" in a row, found {}", entry.key(), shown(*entry)));
     row.choices.emplace_back(entry.key(), entry->get<std::string>());
   }
   row.false_flips = count_at(table, "false_flips", kWhat);
@@ -97,23 +108,25 @@ StoredRow row_from(const ordered_json& table) {
   row.false_flip_rate = {optional_number_at(table, "false_flips_per_hour_low", kWhat).value_or(0.0),
                          optional_number_at(table, "false_flips_per_hour_high", kWhat).value_or(kInfinite)};
   const ordered_json& outcomes = at(table, "outcomes", kWhat);
-  if (!outcomes.is_array()) throw Flaw("a row whose \"outcomes\" are not a list");
+  if (!outcomes.is_array()) throw Flaw("expected a list as \"outcomes\" of a row, found " + shown(outcomes));
   std::set<std::uint64_t> seeds;
   for (const ordered_json& one : outcomes) {
     row.outcomes.push_back(outcome_from(one));
     const std::uint64_t seed = row.outcomes.back().seed;
-    if (!seeds.insert(seed).second) throw Flaw(fmt::format("a row with two outcomes of seed {}", seed));
+    if (!seeds.insert(seed).second) throw Flaw(fmt::format("expected different seeds in a row, found {} twice", seed));
   }
   return row;
 }
 
 std::vector<StoredRow> rows_from(const ordered_json& list) {
-  if (!list.is_array() || list.empty()) throw Flaw("it is not a list of rows");
+  if (!list.is_array() || list.empty())
+    throw Flaw(std::string("expected a list of rows, found ") + (list.is_array() ? "an empty one" : list.type_name()));
   std::vector<StoredRow> rows;
   std::set<std::vector<std::pair<std::string, std::string>>> seen;
   for (const ordered_json& one : list) {
     rows.push_back(row_from(one));
-    if (!seen.insert(rows.back().choices).second) throw Flaw("it has two rows of the same choices");
+    if (!seen.insert(rows.back().choices).second)
+      throw Flaw("expected rows with different choices, found two with the same");
   }
   // Rows that are pooled over the rooms have no trials to compare.
   const bool has_trials =
@@ -129,20 +142,21 @@ std::vector<StoredRow> read_rows(const std::filesystem::path& file) {
     throw std::runtime_error(as_line(file.string() + ": " + why));
   };
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse("no such file; 'experiment --json' writes one");
+  if (!std::filesystem::is_regular_file(file, error))
+    refuse("expected a file that 'experiment --json' wrote, found none");
   const std::optional<std::string> text = read_whole_file(file);
-  if (!text) refuse("it cannot be read; check its permissions");
+  if (!text) refuse("expected a readable file; check its permissions");
   try {
     return rows_from(ordered_json::parse(*text));
   } catch (const nlohmann::json::parse_error& mistake) {
     const auto until = text->begin() + static_cast<std::ptrdiff_t>(std::min(mistake.byte, text->size()));
-    throw std::runtime_error(
-        as_line(fmt::format("{}:{}: invalid or truncated JSON; 'experiment --json' writes it again", file.string(),
-                            1 + std::count(text->begin(), until, '\n'))));
+    throw std::runtime_error(as_line(
+        fmt::format("{}:{}: expected JSON, found invalid or truncated text; 'experiment --json' writes it again",
+                    file.string(), 1 + std::count(text->begin(), until, '\n'))));
   } catch (const nlohmann::json::exception&) {
-    refuse("it contains a number that is too large; 'experiment --json' writes it again");
+    refuse("expected numbers below 1.8e308, found a larger one; 'experiment --json' writes it again");
   } catch (const Flaw& flaw) {
-    refuse(std::string("not a table of an experiment: ") + flaw.what() + "; 'experiment --json' writes it again");
+    refuse(std::string(flaw.what()) + "; 'experiment --json' writes it again");
   }
   return {};
 }

@@ -136,8 +136,8 @@ void check_axis_names(const Experiment& experiment) {
   const auto numbers = ordered_json::parse(rows_as_json({}, {cell})).at(0);
   for (const Axis& axis : experiment.axes) {
     if (numbers.contains(as_utf8(axis.name)))
-      throw std::runtime_error("the axis '" + as_line(axis.name) +
-                               "' is called as one of the numbers of a row; give it another name");
+      throw std::runtime_error("axis: expected a name that is not a column of the results, found '" +
+                               as_line(axis.name) + "'");
   }
 }
 

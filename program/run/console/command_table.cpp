@@ -118,7 +118,7 @@ Reply CommandTable::obey(const Words& words, FrameInputs& inputs) {
   const Command& command = find(words.front());
   const auto [least, most] = argument_counts(command.arguments);
   const Words arguments(words.begin() + 1, words.end());
-  if (arguments.size() < least || arguments.size() > most) throw std::runtime_error("write: " + usage(command));
+  if (arguments.size() < least || arguments.size() > most) throw std::runtime_error("expected " + usage(command));
   return command.act(arguments, inputs);
 }
 

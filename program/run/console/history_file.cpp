@@ -22,14 +22,14 @@ namespace {
 constexpr off_t kLargest = 64 * 1024;  // bytes that are looked at, from the end
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw std::runtime_error("'" + file.string() + "' " + why);
+  throw std::runtime_error("'" + file.string() + "': " + why);
 }
 
 /// The end of a plain file. Opened so that neither a link is followed nor a pipe waited for.
 std::string read_end(const std::filesystem::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0 && errno == ENOENT) return {};
-  if (descriptor < 0 && errno == ELOOP) fail(file, "is a link");
+  if (descriptor < 0 && errno == ELOOP) fail(file, "expected a plain file, found a link");
   if (descriptor < 0) fail(file, "cannot be read: " + std::generic_category().message(errno));
   struct stat status {};
   const bool is_plain = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
@@ -37,7 +37,7 @@ std::string read_end(const std::filesystem::path& file) {
   const off_t begin = std::max<off_t>(0, status.st_size - kLargest);
   const ssize_t count = is_plain ? pread(descriptor, text.data(), text.size(), begin) : 0;
   close(descriptor);
-  if (!is_plain) fail(file, "is no plain file");
+  if (!is_plain) fail(file, "expected a plain file, found another type of file");
   if (count < 0) fail(file, "cannot be read");
   text.resize(static_cast<std::size_t>(count));
   if (begin > 0) text.erase(0, text.find('\n'));  // a line that was cut

@@ -49,7 +49,8 @@ std::optional<std::string> LineReader::take_line() {
   std::string line = read_.substr(0, end);
   read_.erase(0, is_whole ? end + 1 : end);
   if (std::exchange(too_long_, false) || line.size() > kLongestLine)
-    throw std::runtime_error("line too long: at most " + std::to_string(kLongestLine) + " bytes");
+    throw std::runtime_error("expected a line of at most " + std::to_string(kLongestLine) +
+                             " bytes, found a longer one");
   if (line.find('\0') != std::string::npos) throw std::runtime_error("expected text, found a line with zero bytes");
   return line;
 }

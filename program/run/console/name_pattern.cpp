@@ -38,7 +38,7 @@ std::vector<std::size_t> pick(std::string_view wanted, std::span<const std::stri
     if (is_pattern ? matches(wanted, names[i]) : names[i].find(wanted) != std::string::npos) picked.push_back(i);
   }
   if (picked.empty())
-    throw std::runtime_error("there is no " + std::string(kind) + " '" + std::string(wanted) + "'" +
+    throw std::runtime_error("unknown " + std::string(kind) + " '" + std::string(wanted) + "'" +
                              did_you_mean(wanted, names));
   return picked;
 }

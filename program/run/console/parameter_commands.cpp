@@ -27,7 +27,7 @@ const Parameter& named(const std::vector<Parameter>& parameters, const std::stri
   const auto found =
       std::find_if(parameters.begin(), parameters.end(), [&](const auto& one) { return one.name == name; });
   if (found == parameters.end())
-    throw std::runtime_error("there is no parameter '" + name + "'" + did_you_mean(name, names_of(parameters)));
+    throw std::runtime_error("unknown parameter '" + name + "'" + did_you_mean(name, names_of(parameters)));
   return *found;
 }
 
@@ -51,7 +51,7 @@ Reply ParameterCommands::set(const std::string& name, const std::string& value, 
 }
 
 Reply ParameterCommands::undo(FrameInputs& inputs) {
-  if (before_.empty()) return at_once("  nothing to undo\n");
+  if (before_.empty()) return at_once("  no change to undo\n");
   const Change last = before_.back();
   before_.pop_back();
   return change(last, inputs, [] {});

@@ -93,7 +93,7 @@ Reply ScriptCommands::states() { return states_text; }
 
 Reply ScriptCommands::why(const std::string& machine) const {
   if (std::find(machines_.begin(), machines_.end(), machine) == machines_.end())
-    throw std::runtime_error("there is no machine '" + machine + "'" + did_you_mean(machine, machines_));
+    throw std::runtime_error("unknown machine '" + machine + "'" + did_you_mean(machine, machines_));
   return [this, machine](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
     const double now = frame.world.time;
     if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
@@ -115,8 +115,7 @@ Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const
     inputs.script_edits.push_back({file, *texts.find(file), true});
   }
   if (!is_known)
-    throw std::runtime_error("there is no script '" + name + "' below " + root_.string() +
-                             did_you_mean(name, scripts()));
+    throw std::runtime_error("unknown script '" + name + "' below " + root_.string() + did_you_mean(name, scripts()));
   return [](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
     std::string text;
     for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads}) {

@@ -228,7 +228,7 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
   }
   const ProgramRun nothing = run_reorient({"run", "--robot", "footage"});
   EXPECT_EQ(nothing.code, kBadInput);
-  EXPECT_NE(nothing.err.find("--robot footage: name its source"), std::string::npos) << nothing.err;
+  EXPECT_NE(nothing.err.find("--robot footage: expected a source"), std::string::npos) << nothing.err;
   const ProgramRun vain = run_reorient({"run", "--images-per-second", "5"});
   EXPECT_NE(vain.err.find("--images-per-second: used by --robot footage only"), std::string::npos) << vain.err;
 }
