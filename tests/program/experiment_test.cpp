@@ -77,7 +77,8 @@ TEST_F(ExperimentTest, RunsPartOfItsTasks) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000003.json"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/tasks/000001.json"));
   expect_refused({"--out", path("out"), "--task", "5"}, "unknown task 5 (expected 1 to 4)");
-  expect_refused({"--out", path("out"), "--tasks", "1-"}, "is not a list of tasks");
+  expect_refused({"--out", path("out"), "--tasks", "1-"},
+                 "expected a list of tasks, as in 17, 1-64 or 1-64,70, found '1-'");
 }
 
 TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {

@@ -19,7 +19,7 @@ std::vector<double> numbers_in(const TableReader& in, const std::string& key, co
   const toml::array* const array = node.as_array();
   if (array == nullptr || array->size() % 2 != 0 || array->size() < 2 * least_points)
     in.refuse(node, "each of " + key + ": expected a list of " + std::to_string(least_points) +
-                        " or more points: [u, v, ...]");
+                        " or more points: [u, v, ...]" + found_text(node));
   return in.numbers("each of " + key, node, array->size(), -kFarthest, kFarthest);
 }
 
@@ -34,7 +34,7 @@ TableReader::Reader each(const TableReader& in,
                          std::function<void(const std::string& key, const toml::node& value)> read) {
   return [&in, read = std::move(read)](const std::string& key, const toml::node& value) {
     const toml::array* const array = value.as_array();
-    if (array == nullptr) in.refuse(value, key + ": expected a list of lists of numbers");
+    if (array == nullptr) in.refuse(value, key + ": expected a list of lists of numbers" + found_text(value));
     for (const toml::node& one : *array) read(key, one);
   };
 }
@@ -49,7 +49,7 @@ RawFormat raw_format_of(const TableReader& in, const std::string& key, const tom
   constexpr double kLargest = 8192.0, kLargestHeader = 4096.0;
   const std::vector<double> numbers = in.numbers(key, value, 3, 0.0, kLargest);
   if (numbers[0] < 2.0 || numbers[1] < 1.0 || numbers[2] > kLargestHeader)
-    in.refuse(value, key + ": expected [width, height, bytes of the header]");
+    in.refuse(value, key + ": expected [width, height, bytes of the header]" + found_text(value));
   return {static_cast<int>(numbers[0]) / 2 * 2, static_cast<int>(numbers[1]), static_cast<std::size_t>(numbers[2])};
 }
 
@@ -85,7 +85,8 @@ FieldLabels labels_in(const toml::table& table, const std::string& file) {
        {"balls", each(in,
                       [&](const std::string& key, const toml::node& value) {
                         const std::vector<double> ball = in.numbers("each of " + key, value, 3, -kFarthest, kFarthest);
-                        if (ball[2] <= 0.0) in.refuse(value, "each of balls: expected [u, v, radius]");
+                        if (ball[2] <= 0.0)
+                          in.refuse(value, "each of balls: expected [u, v, radius]" + found_text(value));
                         labels.balls.push_back({{ball[0], ball[1]}, ball[2]});
                       })},
        {"feet", into(in, labels.feet, 3)},
@@ -112,14 +113,14 @@ std::vector<FieldLabels> parse_field_labels(std::string_view text, const std::st
                   for (const toml::node& one : in.tables(key, value)) {
                     all.push_back(labels_in(*one.as_table(), name));
                     if (!digests.insert(all.back().digest).second)
-                      in.refuse(one, "the digest '" + all.back().digest + "' occurs twice");
+                      in.refuse(one, "expected different digests, found '" + all.back().digest + "' twice");
                   }
                 }}});
   return all;
 }
 
 std::vector<FieldLabels> load_field_labels(const std::filesystem::path& file) {
-  return parse_field_labels(read_data_file(file, "file of labels", "assets/labels"), file.string());
+  return parse_field_labels(read_data_file(file, "labels", "assets/labels"), file.string());
 }
 
 const FieldLabels* labels_of(std::span<const FieldLabels> all, const std::string& digest) {

@@ -82,7 +82,8 @@ class BodyReader {
          [&](auto& key, auto& value) {
            const std::string order = in.text(key, value);
            if (order != "yaw, pitch" && order != "pitch, yaw")
-             in.refuse(value, R"(order: expected "yaw, pitch" or "pitch, yaw", from the torso to the head)");
+             in.refuse(value, R"(order: expected "yaw, pitch" or "pitch, yaw", from the torso to the head)" +
+                                  found_text(value));
            body.dimensions.neck_order = order == "yaw, pitch" ? NeckOrder::yaw_then_pitch : NeckOrder::pitch_then_yaw;
          }},
         {"first_axis", place_into(in, body.dimensions.first_axis)},
@@ -97,14 +98,14 @@ class BodyReader {
     constexpr std::size_t kMost = 64;
     const toml::array* const rows = node.as_array();
     if (rows == nullptr || rows->empty() || rows->size() > kMost)
-      in.refuse(node, key + ": expected 1 to " + std::to_string(kMost) + " rows [yaw, least, most]");
+      in.refuse(node, key + ": expected 1 to " + std::to_string(kMost) + " rows [yaw, least, most]" + found_text(node));
     std::vector<PitchLimit> limits;
     for (const toml::node& row : *rows) {
       const std::vector<double> numbers = in.numbers("each row of " + key, row, 3, -kPi, kPi);
       const PitchLimit limit{numbers[0], numbers[1], numbers[2]};
-      if (limit.min > limit.max) in.refuse(row, "expected the least pitch not above the most");
+      if (limit.min > limit.max) in.refuse(row, "expected the least pitch not above the most" + found_text(row));
       if (limit.yaw < 0.0 || (!limits.empty() && limit.yaw <= limits.back().yaw))
-        in.refuse(row, "expected non-negative yaw that increases from row to row");
+        in.refuse(row, "expected non-negative yaw that increases from row to row" + found_text(row));
       limits.push_back(limit);
     }
     return limits;
@@ -156,7 +157,7 @@ class BodyReader {
   static void read_lens(const TableReader& in, const toml::table& table, const LensKeys& keys, CameraOptics& camera) {
     read_distortion(in, table, keys, camera);
     if ((keys.field_of_view == nullptr) == (keys.focal == nullptr)) {
-      if (keys.focal == nullptr) in.refuse(table, "the key 'field_of_view_degrees' is missing (or 'focal')");
+      if (keys.focal == nullptr) in.refuse(table, "expected the key 'field_of_view_degrees' or 'focal', found neither");
       in.refuse(*keys.focal, "expected either 'focal' or 'field_of_view_degrees', found both");
     }
     if (keys.field_of_view != nullptr) {
@@ -183,10 +184,11 @@ class BodyReader {
     std::vector<double> coefficients;
     if (keys.distortion != nullptr) {
       const toml::array* const all = keys.distortion->as_array();
-      if (all == nullptr) in.refuse(*keys.distortion, "distortion: expected a list of numbers");
+      if (all == nullptr)
+        in.refuse(*keys.distortion, "distortion: expected a list of numbers" + found_text(*keys.distortion));
       coefficients = in.numbers("distortion", *keys.distortion, all->size(), -kMostCoefficient, kMostCoefficient);
     } else if (camera.projection == CameraProjection::pinhole) {
-      in.refuse(table, "the key 'distortion' is missing");
+      in.refuse(table, "expected the key 'distortion', found none");
     }
     if (const std::string mistake = camera.set_coefficients(coefficients); !mistake.empty())
       in.refuse(*keys.distortion, "distortion: " + mistake);

@@ -41,7 +41,7 @@ FieldDimensions parse_field(std::string_view text, const std::string& name) {
          const std::string what = in.text(key, value);
          outside = what == "outside of lines";
          if (!outside && what != "middle of lines")
-           in.refuse(value, R"(measured_to: expected "middle of lines" or "outside of lines")");
+           in.refuse(value, R"(measured_to: expected "middle of lines" or "outside of lines")" + found_text(value));
        }},
       {"yellow_goals", [&](auto& key, auto& value) { field.yellow_goals = in.yes(key, value); }}};
   TableReader::Readers optional;  // which files of former versions do not have

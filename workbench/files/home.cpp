@@ -18,8 +18,9 @@ bool is_home(const std::filesystem::path& folder) {
 std::filesystem::path find_home() {
   if (const char* named = std::getenv("REORIENT_HOME")) {
     if (is_home(named)) return named;
-    throw std::runtime_error("REORIENT_HOME is '" + std::string(named) +
-                             "' (expected the project's folder, with scripts/behaviors and assets/)");
+    throw std::runtime_error(
+        "REORIENT_HOME: expected the project's folder, with scripts/behaviors and assets/, found '" +
+        std::string(named) + "'");
   }
   std::error_code no_link;
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", no_link).parent_path();
@@ -29,7 +30,8 @@ std::filesystem::path find_home() {
     }
     if (folder == folder.parent_path()) {
       throw std::runtime_error(
-          "no folder above this program has scripts/behaviors and assets/; name it with REORIENT_HOME=FOLDER");
+          "expected scripts/behaviors and assets/ in a folder above this program, found neither; name the folder with "
+          "REORIENT_HOME=FOLDER");
     }
     folder = folder.parent_path();
   }

@@ -13,6 +13,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/table_reader.h"
 #include "workbench/files/toml_text.h"
 
 namespace reorient {
@@ -48,12 +49,12 @@ class Reading {
       const std::string source = place(name_, node.source());
       if (const toml::table* inner = node.as_table()) {
         if (depth >= kDeepest)
-          fail(source, "tables are nested too deeply (expected names such as orientation.lingering)");
+          fail(source, "expected names such as orientation.lingering, found tables that are nested too deeply");
         read(*inner, parameter + ".", depth + 1);
         continue;
       }
       const std::optional<std::string> text = text_of(node);
-      if (!text) fail(source, "expected a number, true, false or a name in quotes");
+      if (!text) fail(source, "expected a number, true, false or a name in quotes" + found_text(node));
       if (changes_.size() >= kMostParameters)
         fail(source, "expected at most " + std::to_string(kMostParameters) + " parameters, found more");
       changes_.push_back({parameter, *text, ParameterOrigin::file, source});
@@ -121,9 +122,9 @@ std::string as_key(std::string_view name) {
 
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file) {
   std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing)) fail(file.string(), "the parameter file does not exist");
+  if (!std::filesystem::is_regular_file(file, missing)) fail(file.string(), "expected a parameter file, found none");
   const std::optional<std::string> text = read_toml_text(file);
-  if (!text) fail(file.string(), "it cannot be read; check its permissions");
+  if (!text) fail(file.string(), "expected a readable file; check its permissions");
   return parse_parameters(*text, file.string());
 }
 

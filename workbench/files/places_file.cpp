@@ -24,7 +24,7 @@ Places parse_places(std::string_view text, const std::string& name) {
 }
 
 Places load_places(const std::filesystem::path& file) {
-  return parse_places(read_data_file(file, "file of places", "docs/on-a-robot.md"), file.string());
+  return parse_places(read_data_file(file, "places of the players", "docs/on-a-robot.md"), file.string());
 }
 
 }  // namespace reorient

@@ -17,8 +17,8 @@ bool is_below(const std::filesystem::path& file, const std::filesystem::path& ro
 }
 
 ScriptText unusable() {
-  return {"", "this is not a plain file below the scripts' root of at most " + std::to_string(kLargestScript / 1024) +
-                  " KiB"};
+  return {"", "expected a plain file of at most " + std::to_string(kLargestScript / 1024) +
+                  " KiB below the scripts' root, found another one"};
 }
 
 bool is_script(const std::string& file) {
@@ -47,7 +47,7 @@ std::optional<ScriptText> read_script(const std::filesystem::path& root, const s
 ScriptTexts read_scripts(const std::filesystem::path& root) {
   std::error_code error;
   if (!std::filesystem::is_directory(root, error))
-    throw std::runtime_error(root.string() + ": the folder of scripts does not exist");
+    throw std::runtime_error(root.string() + ": expected a folder of scripts, found none");
   ScriptTexts texts(root.string());
   std::size_t entries = 0;
   // A folder that is not ours to read holds no scripts of ours, and hides none of the others.

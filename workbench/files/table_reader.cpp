@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/parameters/counted.h"
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/parameter.h"
 #include "engine/parameters/utf8.h"
@@ -20,15 +21,32 @@ std::string nearest(const std::string& name, const TableReader::Readers& readers
 
 std::string number_text(double number) { return to_text(ParameterValue(number)); }
 
+std::string shown(const toml::node& node, bool with_lists) {
+  constexpr std::size_t kLongestText = 40, kLongestList = 6;
+  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+  if (const auto* real = node.as_floating_point()) return number_text(real->get());
+  if (const auto* yes = node.as_boolean()) return yes->get() ? "true" : "false";
+  if (const auto* text = node.as_string()) return "'" + text->get().substr(0, kLongestText) + "'";
+  if (node.is_table()) return "a table";
+  const toml::array* const array = node.as_array();
+  if (array == nullptr) return "a date or time";
+  if (!with_lists || array->size() > kLongestList) return "a list of " + counted(array->size(), "value");
+  std::string list;
+  for (const toml::node& one : *array) list += (list.empty() ? "" : ", ") + shown(one, false);
+  return "[" + list + "]";
+}
+
 }  // namespace
+
+std::string found_text(const toml::node& node) { return ", found " + shown(node, true); }
 
 std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder) {
   std::error_code missing;
   if (!std::filesystem::is_regular_file(file, missing))
     throw std::runtime_error(
-        as_line(file.string() + ": the file does not exist (expected: " + kind + "; examples in " + folder + ")"));
+        as_line(file.string() + ": expected a file (" + kind + "), found none; examples in " + folder));
   std::optional<std::string> text = read_toml_text(file);
-  if (!text) throw std::runtime_error(as_line(file.string() + ": it cannot be read; check its permissions"));
+  if (!text) throw std::runtime_error(as_line(file.string() + ": expected a readable file; check its permissions"));
   return *std::move(text);
 }
 
@@ -61,7 +79,7 @@ void TableReader::read_all(const Readers& readers, const Readers& optional) cons
   all.insert(optional.begin(), optional.end());
   read(all);
   for (const auto& [key, reader] : readers) {
-    if (!table_.contains(key)) refuse(table_, "the key '" + key + "' is missing");
+    if (!table_.contains(key)) refuse(table_, "expected the key '" + key + "', found none");
   }
 }
 
@@ -73,20 +91,21 @@ TableReader::Reader TableReader::into(double& number, double least, double most)
 
 std::string TableReader::text(const std::string& key, const toml::node& node) const {
   const auto value = node.value_exact<std::string>();
-  if (!value || value->empty()) refuse(node, key + ": expected a text in quotes");
+  if (!value || value->empty()) refuse(node, key + ": expected a text in quotes" + found_text(node));
   return *value;
 }
 
 bool TableReader::yes(const std::string& key, const toml::node& node) const {
   const auto value = node.value_exact<bool>();
-  if (!value) refuse(node, key + ": expected true or false");
+  if (!value) refuse(node, key + ": expected true or false" + found_text(node));
   return *value;
 }
 
 double TableReader::number(const std::string& key, const toml::node& node, double least, double most) const {
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value || !(*value >= least && *value <= most))
-    refuse(node, key + ": expected a number from " + number_text(least) + " to " + number_text(most));
+    refuse(node,
+           key + ": expected a number from " + number_text(least) + " to " + number_text(most) + found_text(node));
   return *value;
 }
 
@@ -94,13 +113,14 @@ std::int64_t TableReader::whole(const std::string& key, const toml::node& node, 
                                 std::int64_t most) const {
   const auto value = node.value_exact<std::int64_t>();
   if (!value || *value < least || *value > most)
-    refuse(node, key + ": expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    refuse(node, key + ": expected a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                     found_text(node));
   return *value;
 }
 
 std::vector<std::string> TableReader::texts(const std::string& key, const toml::node& node) const {
   const toml::array* const array = node.as_array();
-  if (array == nullptr) refuse(node, key + R"(: expected a list of texts, as ["one", "two"])");
+  if (array == nullptr) refuse(node, key + R"(: expected a list of texts, as ["one", "two"])" + found_text(node));
   std::vector<std::string> all;
   for (const toml::node& one : *array) all.push_back(text(key, one));
   return all;
@@ -110,7 +130,7 @@ std::vector<double> TableReader::numbers(const std::string& key, const toml::nod
                                          double least, double most) const {
   const toml::array* const array = node.as_array();
   if (array == nullptr || array->size() != count)
-    refuse(node, key + ": expected a list of " + std::to_string(count) + " numbers");
+    refuse(node, key + ": expected a list of " + std::to_string(count) + " numbers" + found_text(node));
   std::vector<double> all;
   for (const toml::node& one : *array) all.push_back(number("each of " + key, one, least, most));
   return all;
@@ -118,13 +138,13 @@ std::vector<double> TableReader::numbers(const std::string& key, const toml::nod
 
 const toml::table& TableReader::table(const std::string& key, const toml::node& node) const {
   if (const toml::table* const table = node.as_table()) return *table;
-  refuse(node, key + ": expected a table [" + key + "]");
+  refuse(node, key + ": expected a table [" + key + "]" + found_text(node));
 }
 
 const toml::array& TableReader::tables(const std::string& key, const toml::node& node) const {
   const toml::array* const array = node.as_array();
   if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table))
-    refuse(node, key + ": expected one or more tables [[" + key + "]]");
+    refuse(node, key + ": expected one or more tables [[" + key + "]]" + found_text(node));
   return *array;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A TOML table whose keys are all known. What is wrong with it is thrown as std::runtime_error with one line: file,
-// line, why.
+// A TOML table whose keys are all known. Mistakes are thrown as std::runtime_error with one line: file, line, what was
+// expected, what was found.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,14 @@
 
 namespace reorient {
 
-/// The text of a data file. `kind`: what it is; `folder`: with examples. Throws std::runtime_error with one
-/// line.
+/// The text of a data file. `kind`: type of its contents, for messages; `folder`: contains examples. Throws
+/// std::runtime_error with one line.
 std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder);
 /// `name`: for messages. Throws std::runtime_error with one line.
 toml::table parse_table(std::string_view text, const std::string& name);
+
+/// What a message shows of a value: ", found 7", ", found 'head'", ", found [1, 2]", ", found a table".
+std::string found_text(const toml::node& node);
 
 class TableReader {
  public:
@@ -28,16 +31,16 @@ class TableReader {
 
   [[noreturn]] void refuse(const toml::node& node, const std::string& why) const;
 
-  /// Each key with what reads it. Whatever else stands in the table is a mistake.
+  /// The function that reads each key. A key without one is a mistake.
   using Reader = std::function<void(const std::string& key, const toml::node& value)>;
   using Readers = std::map<std::string, Reader>;
   void read(const Readers& readers) const;
-  /// The same, and each of the keys has to be there; those of `optional` may be.
+  /// The same; the table must contain all keys of `readers`, and may contain those of `optional`.
   void read_all(const Readers& readers, const Readers& optional = {}) const;
   /// Reads a number into `number`.
   Reader into(double& number, double least, double most) const;
 
-  // A value of a kind, or a mistake.
+  // The value, if it has this type; otherwise they refuse it.
   std::string text(const std::string& key, const toml::node& node) const;  ///< not empty
   bool yes(const std::string& key, const toml::node& node) const;
   double number(const std::string& key, const toml::node& node, double least, double most) const;

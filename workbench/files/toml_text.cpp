@@ -97,13 +97,14 @@ std::optional<std::string> read_toml_text(const std::filesystem::path& file) {
 }
 
 std::optional<TomlExcess> excess_in_toml(std::string_view text) {
-  if (text.size() > kLargest) return excess_at(text, 0, "the file is larger than 1 MiB; name another one");
+  if (text.size() > kLargest) return excess_at(text, 0, "expected a file of at most 1 MiB, found a larger one");
   if (const std::optional<std::size_t> place = long_line(text))
-    return excess_at(text, *place, "the line is longer than 1000 letters; break it into several");
+    return excess_at(text, *place,
+                     "expected a line of at most 1000 letters, found a longer one; break it into several");
   if (const std::optional<std::size_t> place = letter_beyond_ascii(text))
-    return excess_at(
-        text, *place,
-        "a letter that is not ASCII; put the name in quotes, and do not write such a letter after a backslash");
+    return excess_at(text, *place,
+                     "expected ASCII letters, found another one; put the name in quotes, and do not write such a "
+                     "letter after a backslash");
   return mistake_beside_letters(text);
 }
 

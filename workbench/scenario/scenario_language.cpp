@@ -35,15 +35,17 @@ Enum named(std::string_view name, const char* what) {
     known.emplace_back(to_string(static_cast<Enum>(i)));
     if (known.back() == name) return static_cast<Enum>(i);
   }
-  throw std::runtime_error(std::string(what) + " cannot be '" + std::string(name) + "'" + did_you_mean(name, known));
+  throw std::runtime_error("unknown " + std::string(what) + " '" + std::string(name) + "'" + did_you_mean(name, known));
 }
 
 }  // namespace
 
 Message message_of(std::int64_t sender, std::string_view text) {
-  if (sender < 0 || sender > kHighestPlayer) throw std::runtime_error("sender: expected the number of a player");
+  if (sender < 0 || sender > kHighestPlayer)
+    throw std::runtime_error("sender: expected 0 to " + std::to_string(kHighestPlayer) + ", found " +
+                             std::to_string(sender));
   if (text.size() > kLongestMessage)
-    throw std::runtime_error("message has " + std::to_string(text.size()) + " bytes (expected at most 240)");
+    throw std::runtime_error("message: expected at most 240 bytes, found " + std::to_string(text.size()));
   return {static_cast<int>(sender), std::string(text)};
 }
 
@@ -186,7 +188,9 @@ void ScenarioActions::tell_message(std::int64_t sender, std::string_view text) {
 
 double ScenarioActions::draw(double low, double high) {
   require_acting();
-  if (!(low <= high)) throw std::runtime_error("chance.between: expected the lower number first");
+  if (!(low <= high))
+    throw std::runtime_error("chance.between: expected the lower number first, found " + std::to_string(low) + " and " +
+                             std::to_string(high));
   return random_.uniform(low, high);
 }
 

@@ -94,7 +94,7 @@ TEST(ExperimentFile, WithoutAxesIsOneCell) {
 
 /// "paper" is the only condition file.
 ConditionPatch named_condition(const std::string& name) {
-  if (name != "paper") throw std::runtime_error("there is no condition '" + name + "'");
+  if (name != "paper") throw std::runtime_error("unknown condition '" + name + "'");
   return parse_condition("params = [\"paper\"]\nwithout = [\"orientation\"]\nlimit = 200", "paper.toml");
 }
 
@@ -116,7 +116,7 @@ TEST(ExperimentFile, NamesTheConditionThatIsMissing) {
                      named_condition);
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "x.toml:4: there is no condition 'papper'");
+    EXPECT_STREQ(error.what(), "x.toml:4: unknown condition 'papper'");
   }
 }
 
@@ -184,39 +184,43 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Mistake{"Key", kBegin + "widht = 160", ":4: unknown key 'widht' (did you mean 'width'?)"},
         Mistake{"TopKey", "titel = \"x\"", ":1: unknown key 'titel' (did you mean 'title'?)"},
-        Mistake{"NoTitle", "trials = 3\n[condition]\nscenario = \"a\"", "title is missing"},
-        Mistake{"NoScenario", "title = \"x\"", "the scenario is missing"},
-        Mistake{"Trials", "title = \"x\"\ntrials = 0", ":2: trials: expected a whole number from 1 to 100000"},
-        Mistake{"Text", "title = 3", ":1: title: expected a text in quotes"},
-        Mistake{"Width", kBegin + "width = 200", ":4: width: expected 160, 320, 544 or 640 pixels"},
-        Mistake{"Cameras", kBegin + "cameras = \"lower\"", ":4: cameras: expected"},
-        Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds: expected a number from 1 to 86400"},
-        Mistake{"SecondsText", kBegin + "seconds = \"10\"", ":4: seconds: expected a number"},
+        Mistake{"NoTitle", "trials = 3\n[condition]\nscenario = \"a\"", "title: expected one sentence"},
+        Mistake{"NoScenario", "title = \"x\"", "scenario: expected one, as in"},
+        Mistake{"Trials", "title = \"x\"\ntrials = 0", ":2: trials: expected a whole number from 1 to 100000, found 0"},
+        Mistake{"Text", "title = 3", ":1: title: expected a text in quotes, found 3"},
+        Mistake{"Width", kBegin + "width = 200", ":4: width: expected 160, 320, 544 or 640 pixels, found 200"},
+        Mistake{"Cameras", kBegin + "cameras = \"lower\"",
+                ":4: cameras: expected \"upper\" or \"both\", found \"lower\""},
+        Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds: expected a number from 1 to 86400, found nan"},
+        Mistake{"SecondsText", kBegin + "seconds = \"10\"",
+                ":4: seconds: expected a number from 1 to 86400, found '10'"},
         Mistake{"Seed", kBegin + "hall_seed = -1", ":4: hall_seed: expected a whole number from 0"},
-        Mistake{"List", kBegin + "with = \"a\"", ":4: with: expected a list of texts"},
-        Mistake{"ListOfNumbers", kBegin + "with = [1]", ":4: with: expected a text in quotes"},
-        Mistake{"Flag", kBegin + "room_awareness = 1", ":4: room_awareness: expected true or false"},
+        Mistake{"List", kBegin + "with = \"a\"",
+                ":4: with: expected a list of texts, as [\"one\", \"two\"], found 'a'"},
+        Mistake{"ListOfNumbers", kBegin + "with = [1]", ":4: with: expected a text in quotes, found 1"},
+        Mistake{"Flag", kBegin + "room_awareness = 1", ":4: room_awareness: expected true or false, found 1"},
         Mistake{"Parameter", kBegin + "parameters.lead = 1", ":4: expected a parameter in the table of its module"},
-        Mistake{"ParameterValue", kBegin + "parameters.a.b = [1]", ":4: a.b: expected a number, true, false or a name"},
+        Mistake{"ParameterValue", kBegin + "parameters.a.b = [1]",
+                ":4: a.b: expected a number, true, false or a name in quotes, found [1]"},
         Mistake{"Times", "title = \"x\"\ntimes = \"soon\"",
                 ":2: times: expected \"command\" or \"belief\", found \"soon\""},
         Mistake{"Conditions", kBegin + "conditions = [\"paper\"]", ":4: unknown key 'conditions'"},
         Mistake{"NameInTheBase", kBegin + "name = \"a\"", ":4: unknown key 'name'"},
-        Mistake{"AxisIsNoTable", "title = \"x\"\naxis = 3", ":2: axis: expected one or more tables"},
+        Mistake{"AxisIsNoTable", "title = \"x\"\naxis = 3", ":2: axis: expected one or more tables [[axis]], found 3"},
         Mistake{"AxisWithoutName", kBegin + "[[axis]]\n[[axis.choice]]\nname = \"a\"",
-                "the name of the axis is missing"},
+                "axis: expected a name, found none"},
         Mistake{"AxisWithoutChoices", kBegin + "[[axis]]\nname = \"a\"",
-                "the axis a: expected one or more [[axis.choice]], found none"},
+                "axis a: expected one or more [[axis.choice]], found none"},
         Mistake{"TwoAxes",
                 kBegin +
                     "[[axis]]\nname = \"a\"\n[[axis.choice]]\nname = \"b\"\n[[axis]]\nname = \"a\"\n[[axis.choice]]\n"
                     "name = \"b\"",
-                "the axis 'a' occurs twice"},
+                "axis: expected different names, found 'a' twice"},
         Mistake{"ChoiceWithoutName", kBegin + "[[axis]]\nname = \"a\"\n[[axis.choice]]\nwidth = 160",
-                "the name of the choice is missing"},
+                "axis.choice: expected a name, found none"},
         Mistake{"TwoChoices",
                 kBegin + "[[axis]]\nname = \"a\"\n[[axis.choice]]\nname = \"b\"\n[[axis.choice]]\nname = \"b\"",
-                "the choice 'b' occurs twice"},
+                "axis.choice: expected different names, found 'b' twice"},
         Mistake{"NoToml", "title = ", ":1: "},
         Mistake{"EscapeSequence", "title = \"x\"\n\"\\u001b[2J\" = 1", ":2: unknown key '"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
@@ -247,9 +251,11 @@ TEST(ExperimentFile, RefusesReferencesThatBelongToNothing) {
   const std::string reference = kReference;
   const auto with = [&reference](const std::string& more) { return refusal(kTwoAxes + reference + more); };
   EXPECT_NE(with("choices.mod = \"paper\"\n").find("unknown axis or choice 'mod' = 'paper'"), std::string::npos);
-  EXPECT_NE(with("flip = 70\n").find("where.toml:38: flip: expected a number from 0 to 1"), std::string::npos);
+  EXPECT_NE(with("flip = 70\n").find("where.toml:38: flip: expected a number from 0 to 1, found 70"),
+            std::string::npos);
   EXPECT_NE(with("flp = 0.7\n").find("did you mean 'flip'?"), std::string::npos);
-  EXPECT_NE(with("[[reference]]\ntrials = 3\n").find("label of the reference is missing"), std::string::npos);
+  EXPECT_NE(with("[[reference]]\ntrials = 3\n").find("reference: expected a label (who measured it), found none"),
+            std::string::npos);
 }
 
 TEST(ExperimentFile, ThatIsNotThereIsNamed) {
@@ -257,7 +263,7 @@ TEST(ExperimentFile, ThatIsNotThereIsNamed) {
     read_experiment("/no/such/file.toml", {});
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: the file does not exist (expected: experiment"),
+    EXPECT_NE(std::string(error.what()).find("/no/such/file.toml: expected a file (experiment), found none"),
               std::string::npos);
   }
 }

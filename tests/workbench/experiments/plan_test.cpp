@@ -75,9 +75,10 @@ TEST(TaskNumbers, OutOfRangeOrInvalidAreRefusedInOneLine) {
   EXPECT_EQ(refused("0"), "unknown task 0 (expected 1 to 70)");
   EXPECT_EQ(refused("-3"), "unknown task -3 (expected 1 to 70)");
   EXPECT_EQ(refused("99999999999999999999"), "unknown task 99999999999999999999 (expected 1 to 70)");
-  EXPECT_EQ(refused("4-2"), "'4-2' has its end before its start; write 2-4");
+  EXPECT_EQ(refused("4-2"), "expected a range whose start is before its end, found '4-2'; write 2-4");
   for (const char* list : {"", ",", "1,", "1-", "a", "1 2", "1-2-3", "1.5", "+1"})
-    EXPECT_NE(refused(list).find("is not a list of tasks"), std::string::npos) << list;
+    EXPECT_NE(refused(list).find("expected a list of tasks, as in 17, 1-64 or 1-64,70, found '"), std::string::npos)
+        << list;
 }
 
 RC_GTEST_PROP(TaskNumbersProperty, NeverLeaveTheirRange, (const std::string& list)) {

@@ -117,8 +117,8 @@ TEST(BodyFile, TakesACalibrationOfOpenCv) {
 
 TEST(BodyFile, WithAMistakeInALensIsRefusedWithItsLine) {
   const std::pair<const char*, const char*> mistakes[] = {
-      {"focal = [600.0, 600.0]", "the key 'distortion' is missing"},
-      {"distortion = [0.0, 0.0]", "the key 'field_of_view_degrees' is missing (or 'focal')"},
+      {"focal = [600.0, 600.0]", "expected the key 'distortion', found none"},
+      {"distortion = [0.0, 0.0]", "expected the key 'field_of_view_degrees' or 'focal', found neither"},
       {"focal = [600.0, 600.0]\nfield_of_view_degrees = [60.0, 50.0]\ndistortion = [0.0, 0.0]",
        "expected either 'focal' or 'field_of_view_degrees', found both"},
       {"focal = [0.0, 600.0]\ndistortion = [0.0, 0.0]", "each of focal: expected a number from 1 to "},
@@ -146,32 +146,33 @@ TEST(BodyFile, ThatIsMissingIsNamedInOneLine) {
     static_cast<void>(load_body("nowhere/robot.toml"));
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(),
-                 "nowhere/robot.toml: the file does not exist (expected: robot; examples in assets/robots)");
+    EXPECT_STREQ(error.what(), "nowhere/robot.toml: expected a file (robot), found none; examples in assets/robots");
   }
 }
 
 TEST(BodyFile, WithAMistakeIsRefusedWithItsLine) {
   const std::pair<std::string, const char*> mistakes[] = {
-      {"", "the key 'field' is missing"},
+      {"", "expected the key 'field', found none"},
       {nao_with("name", "naem = \"NAO\""), "unknown key 'naem' (did you mean 'name'?)"},
-      {nao_with("name", "name = 6"), "name: expected a text in quotes"},
+      {nao_with("name", "name = 6"), "name: expected a text in quotes, found 6"},
       {nao_with("name", "name = \"" + std::string(100, 'N') + "\""), "name: expected at most 60 letters, found 100"},
-      {nao_with("height = 0.24809", "height = 24.8"), "height: expected a number from 0.05 to 2.5"},
+      {nao_with("height = 0.24809", "height = 24.8"), "height: expected a number from 0.05 to 2.5, found 24.8"},
       {nao_with("height = 0.24809", "height = nan"), "height: expected a number from 0.05 to 2.5"},
-      {nao_with("height = 0.24809", ""), "the key 'height' is missing"},
+      {nao_with("height = 0.24809", ""), "expected the key 'height', found none"},
       {nao_with("order", "order = \"roll\""),
-       "order: expected \"yaw, pitch\" or \"pitch, yaw\", from the torso to the head"},
-      {nao_with("first_axis", "first_axis = [0.0, 0.2]"), "first_axis: expected a list of 3 numbers"},
+       "order: expected \"yaw, pitch\" or \"pitch, yaw\", from the torso to the head, found 'roll'"},
+      {nao_with("first_axis", "first_axis = [0.0, 0.2]"), "first_axis: expected a list of 3 numbers, found [0, 0.2]"},
       {nao_with("first_axis", "first_axis = [0.0, 0.0, inf]"),
        "each of first_axis: expected a number from -2.5 to 2.5"},
-      {nao_with("  [0.486", "  [0.0, -0.6, 0.4],"), "expected non-negative yaw that increases from row to row"},
-      {nao_with("  [0.486", "  [0.486, 0.4, -0.6],"), "expected the least pitch not above the most"},
-      {nao_with("  [0.486", "  [0.486, 0.4],"), "each row of pitch: expected a list of 3 numbers"},
-      {nao_with("width", "width = 640.5"), "width: expected a whole number from 64 to 4096"},
+      {nao_with("  [0.486", "  [0.0, -0.6, 0.4],"),
+       "expected non-negative yaw that increases from row to row, found [0, -0.6, 0.4]"},
+      {nao_with("  [0.486", "  [0.486, 0.4, -0.6],"),
+       "expected the least pitch not above the most, found [0.486, 0.4, -0.6]"},
+      {nao_with("  [0.486", "  [0.486, 0.4],"), "each row of pitch: expected a list of 3 numbers, found [0.486, 0.4]"},
+      {nao_with("width", "width = 640.5"), "width: expected a whole number from 64 to 4096, found 640.5"},
       {nao_with("field_of_view", "field_of_view_degrees = [180.0, 43.7]"), "expected a number from 20 to 150"},
-      {nao_with("standing_load", "standing_load = -1.0"), "standing_load: expected a number from 0.1 to 200"},
-      {"feet = 5.3\n" + nao_text().substr(0, nao_text().find("[feet]")), "feet: expected a table [feet]"},
+      {nao_with("standing_load", "standing_load = -1.0"), "standing_load: expected a number from 0.1 to 200, found -1"},
+      {"feet = 5.3\n" + nao_text().substr(0, nao_text().find("[feet]")), "feet: expected a table [feet], found 5.3"},
       {nao_text() + "\n[wings]\nspan = 1.0\n", "unknown key 'wings'"},
   };
   for (const auto& [text, why] : mistakes) {
@@ -186,7 +187,8 @@ TEST(BodyFile, WithoutAPitchOfTheNeckIsRefused) {
   std::string text = nao_text();
   const std::size_t begin = text.find("pitch = ["), end = text.find("\n]", begin);
   text.replace(begin, end + 2 - begin, "pitch = []");
-  EXPECT_NE(complaint_about_body(text).find("pitch: expected 1 to 64 rows [yaw, least, most]"), std::string::npos);
+  EXPECT_NE(complaint_about_body(text).find("pitch: expected 1 to 64 rows [yaw, least, most], found []"),
+            std::string::npos);
 }
 
 }  // namespace

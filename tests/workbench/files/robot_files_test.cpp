@@ -31,7 +31,8 @@ TEST(PlacesFile, ContainsThePoseOfEachPlayer) {
 }
 
 TEST(PlacesFile, IsRefusedInOneLine) {
-  EXPECT_EQ(complaint(parse_places, "player_2 = [1, 2]"), "file.toml:1: player_2: expected a list of 3 numbers");
+  EXPECT_EQ(complaint(parse_places, "player_2 = [1, 2]"),
+            "file.toml:1: player_2: expected a list of 3 numbers, found [1, 2]");
   EXPECT_NE(complaint(parse_places, "player_21 = [1, 2, 3]").find("unknown key 'player_21'"), std::string::npos);
   EXPECT_NE(complaint(parse_places, "player_1 = [nan, 2, 3]"), "");
   EXPECT_NE(complaint(parse_places, "player_1 = "), "");

@@ -39,7 +39,7 @@ TEST_F(ScriptFilesTest, ThatCannotBeUsedReportTheReason) {
   std::filesystem::create_directories(folder_.path() / "behaviors" / "folder.lua");
   EXPECT_NE(problem("behaviors/large.lua").find("of at most 64 KiB"), std::string::npos);
   EXPECT_EQ(problem("behaviors/full.lua"), "");
-  EXPECT_NE(problem("behaviors/folder.lua").find("not a plain file"), std::string::npos);
+  EXPECT_NE(problem("behaviors/folder.lua").find("expected a plain file"), std::string::npos);
 }
 
 TEST_F(ScriptFilesTest, ALinkLeadsNowhereOutOfTheRoot) {
@@ -50,7 +50,7 @@ TEST_F(ScriptFilesTest, ALinkLeadsNowhereOutOfTheRoot) {
   std::filesystem::create_symlink("here.lua", folder_.path() / "behaviors" / "in.lua");
   std::filesystem::create_symlink("out of the blue", folder_.path() / "behaviors" / "gone.lua");
   EXPECT_NE(problem("behaviors/out.lua").find("below the scripts' root"), std::string::npos);
-  EXPECT_NE(problem("behaviors/gone.lua").find("not a plain file"), std::string::npos);
+  EXPECT_NE(problem("behaviors/gone.lua").find("expected a plain file"), std::string::npos);
   EXPECT_EQ(problem("behaviors/in.lua"), "");
 }
 
@@ -59,7 +59,7 @@ TEST_F(ScriptFilesTest, AMissingFolderIsReportedInOneLine) {
     read_scripts(folder_.path() / "gone");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("the folder of scripts does not exist"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("expected a folder of scripts, found none"), std::string::npos);
   }
 }
 

@@ -254,7 +254,8 @@ TEST_F(ScriptCheckTest, ReportsASyntaxErrorWithItsColumn) {
 TEST_F(ScriptCheckTest, ReportsAScriptThatIsTooLargeToBeLoadedBetweenTwoFrames) {
   folder.write("behaviors/large.lua", "behavior \"large\" {}" + std::string(kLargestScript, ' '));
   EXPECT_EQ(findings(),
-            "behaviors/large.lua: error: this is not a plain file below the scripts' root of at most 64 KiB\n");
+            "behaviors/large.lua: error: expected a plain file of at most 64 KiB below the scripts' root, found "
+            "another one\n");
 }
 
 TEST_F(ScriptCheckTest, ReportsABrokenLibraryOnce) {

@@ -59,7 +59,7 @@ class ExperimentReader {
       sort_choices(reference, experiment.axes);
     }
     if (experiment.title.empty())
-      in.refuse(table, "title is missing (expected one sentence: the question of the experiment)");
+      in.refuse(table, "title: expected one sentence (the question of the experiment), found none");
     if (!names_scenario(experiment.base)) require_scenario(in, table, experiment.axes);
     return experiment;
   }
@@ -77,7 +77,8 @@ class ExperimentReader {
       return std::all_of(axis.choices.begin(), axis.choices.end(),
                          [](const AxisChoice& choice) { return names_scenario(choice.patch); });
     });
-    if (!is_chosen) in.refuse(table, "the scenario is missing: [condition] scenario = \"mirrored_placement\"");
+    if (!is_chosen)
+      in.refuse(table, "scenario: expected one, as in [condition] scenario = \"mirrored_placement\", found none");
   }
 
   static void require_choices(const TableReader& in, const toml::table& table, const Reference& reference,
@@ -104,7 +105,9 @@ class ExperimentReader {
   }
 
   void read_axes(const TableReader& in, const toml::array& tables, std::vector<Axis>& axes) const {
-    if (tables.size() > kMostAxes) in.refuse(tables, "more than " + std::to_string(kMostAxes) + " axes");
+    if (tables.size() > kMostAxes)
+      in.refuse(tables,
+                "expected at most " + std::to_string(kMostAxes) + " axes, found " + std::to_string(tables.size()));
     for (const toml::node& one : tables) {
       Axis axis;
       const TableReader table(*one.as_table(), file_);
@@ -113,31 +116,35 @@ class ExperimentReader {
           {"choice", [&](auto& key, auto& value) { read_choices(table, table.tables(key, value), axis.choices); }},
           {"usual", [&](auto& key, auto& value) { axis.usual = table.texts(key, value); }},
       });
-      if (axis.name.empty()) table.refuse(one, "the name of the axis is missing");
+      if (axis.name.empty()) table.refuse(one, "axis: expected a name, found none");
       if (axis.choices.empty())
-        table.refuse(one, "the axis " + axis.name + ": expected one or more [[axis.choice]], found none");
+        table.refuse(one, "axis " + axis.name + ": expected one or more [[axis.choice]], found none");
       for (const std::string& usual : axis.usual) {
         const auto is_it = [&](const AxisChoice& choice) { return choice.name == usual; };
         if (std::none_of(axis.choices.begin(), axis.choices.end(), is_it))
           table.refuse(one, "usual: unknown choice '" + usual + "' of the axis " + axis.name);
       }
       for (const Axis& other : axes) {
-        if (other.name == axis.name) table.refuse(one, "the axis '" + axis.name + "' occurs twice");
+        if (other.name == axis.name)
+          table.refuse(one, "axis: expected different names, found '" + axis.name + "' twice");
       }
       axes.push_back(std::move(axis));
     }
   }
 
   void read_choices(const TableReader& in, const toml::array& tables, std::vector<AxisChoice>& choices) const {
-    if (tables.size() > kMostChoices) in.refuse(tables, "more than " + std::to_string(kMostChoices) + " choices");
+    if (tables.size() > kMostChoices)
+      in.refuse(tables, "expected at most " + std::to_string(kMostChoices) + " choices, found " +
+                            std::to_string(tables.size()));
     for (const toml::node& one : tables) {
       AxisChoice choice;
       choice.patch = read_patch(*one.as_table(), [&](const TableReader& table, auto& key, auto& value) {
         choice.name = table.text(key, value);
       });
-      if (choice.name.empty()) in.refuse(one, "the name of the choice is missing");
+      if (choice.name.empty()) in.refuse(one, "axis.choice: expected a name, found none");
       for (const AxisChoice& other : choices) {
-        if (other.name == choice.name) in.refuse(one, "the choice '" + choice.name + "' occurs twice");
+        if (other.name == choice.name)
+          in.refuse(one, "axis.choice: expected different names, found '" + choice.name + "' twice");
       }
       choices.push_back(std::move(choice));
     }
@@ -180,7 +187,7 @@ class ExperimentReader {
          [&](auto& key, auto& value) {
            patch.width = static_cast<int>(in.whole(key, value, 160, 640));
            if (std::find(kImageWidths.begin(), kImageWidths.end(), *patch.width) == kImageWidths.end())
-             in.refuse(value, "width: expected 160, 320, 544 or 640 pixels");
+             in.refuse(value, "width: expected 160, 320, 544 or 640 pixels" + found_text(value));
          }},
         {"room_awareness", [&](auto& key, auto& value) { patch.room_awareness = in.yes(key, value); }},
         {"seconds", [&](auto& key, auto& value) { patch.seconds = in.number(key, value, 1.0, kDay); }},
@@ -215,11 +222,12 @@ class ExperimentReader {
     for (const auto& [module, values] : table) {
       const toml::table* const inner = values.as_table();
       if (inner == nullptr)
-        in.refuse(values, "expected a parameter in the table of its module, as orientation.lingering = 0.3");
+        in.refuse(values, "expected a parameter in the table of its module, as orientation.lingering = 0.3" +
+                              found_text(values));
       for (const auto& [key, value] : *inner) {
         const std::string name = std::string(module.str()) + "." + std::string(key.str());
         const std::optional<std::string> text = value_text(value);
-        if (!text) in.refuse(value, name + ": expected a number, true, false or a name in quotes");
+        if (!text) in.refuse(value, name + ": expected a number, true, false or a name in quotes" + found_text(value));
         changes.push_back({name, *text, ParameterOrigin::file, place_of(value)});
       }
     }

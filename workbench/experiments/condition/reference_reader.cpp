@@ -44,7 +44,7 @@ std::vector<Reference> read_references(const TableReader& in, const toml::array&
   std::vector<Reference> references;
   for (const toml::node& one : tables) {
     references.push_back(read_reference(TableReader(*one.as_table(), file), file));
-    if (references.back().label.empty()) in.refuse(one, "label of the reference is missing (expected who measured it)");
+    if (references.back().label.empty()) in.refuse(one, "reference: expected a label (who measured it), found none");
   }
   return references;
 }

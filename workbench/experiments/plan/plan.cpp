@@ -17,8 +17,8 @@ int number_in(std::string_view text, std::string_view list, int count) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc::invalid_argument || end != text.data() + text.size())
-    throw std::runtime_error("'" + as_line(list.substr(0, 60)) +
-                             "' is not a list of tasks (expected a form such as 17, 1-64 or 1-64,70)");
+    throw std::runtime_error("expected a list of tasks, as in 17, 1-64 or 1-64,70, found '" +
+                             as_line(list.substr(0, 60)) + "'");
   if (error != std::errc() || number < 1 || number > count)
     throw std::runtime_error("unknown task " + as_line(text.substr(0, 30)) + " (expected 1 to " +
                              std::to_string(count) + ")");
@@ -60,8 +60,8 @@ std::vector<int> numbers_in(std::string_view list, int count) {
     const int first = number_in(part.substr(0, dash), list, count);
     const int last = dash == std::string_view::npos ? first : number_in(part.substr(dash + 1), list, count);
     if (last < first)
-      throw std::runtime_error("'" + as_line(part) + "' has its end before its start; write " + std::to_string(last) +
-                               "-" + std::to_string(first));
+      throw std::runtime_error("expected a range whose start is before its end, found '" + as_line(part) + "'; write " +
+                               std::to_string(last) + "-" + std::to_string(first));
     for (int number = first; number <= last; ++number) numbers.insert(number);
     if (comma == std::string_view::npos) return {numbers.begin(), numbers.end()};
     rest.remove_prefix(comma + 1);
