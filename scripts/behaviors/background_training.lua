@@ -12,11 +12,11 @@
 local p = param {
   undisturbed_time = { 0.5, range = { 0, 10 }, unit = "s", doc = "time after standing up before views count" },
   min_time      = { 10.0, range = { 0, 600 }, unit = "s", doc = "shortest learning time before the model of the room is used" },
-  max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "longest learning time, independent of what is known" },
+  max_time      = { 35.0, range = { 0, 600 }, unit = "s", doc = "longest learning time, however much of the wall is known" },
   paired        = { 0.4,  range = { 0, 1 },               doc = "fraction of the wall known on both sides at which learning ends sooner" },
-  patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "time after which least_paired is enough (a standing robot sees no more)" },
-  least_paired  = { 0.25, range = { 0, 1 },               doc = "fraction that is enough after patience" },
-  separability  = { 0.7,  range = { 0, 1 },               doc = "smallest confidence.separability to end sooner" },
+  patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "learning time after which least_paired is enough" },
+  least_paired  = { 0.25, range = { 0, 1 },               doc = "fraction of the wall known on both sides that is enough after patience" },
+  separability  = { 0.7,  range = { 0, 1 },               doc = "smallest confidence.separability at which learning ends sooner" },
   lingering     = { 0.05, range = { 0, 1 },               doc = "fraction of reflected pose particles that is purged while learning" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "waiting time after such a purge" },
   proof         = { 4.6,  range = { -50, 50 },             doc = "smallest log-odds of the believed pose for further training" },
@@ -74,7 +74,7 @@ behavior "background_training" {
     { "trusting", when = knows_the_room, because = "the room is known" },
     { "learning",
       when = function() return is_vouched_for() and stands_on_the_field() end,
-      because = "the pose is known, but the room is not" },
+      because = "the pose is known, the room is unknown" },
   },
 
   state "learning" {
@@ -88,7 +88,7 @@ behavior "background_training" {
     state "studying" {
       { "purging",
         when = function() return pose.reflected_weight > p.lingering end,
-        because = "the initial pose was set, so its reflection is wrong" },
+        because = "the initial pose was set, so the reflected pose is wrong" },
     },
 
     state "purging" {
@@ -100,7 +100,7 @@ behavior "background_training" {
   state "trusting" {
     initial = "watching",
     enter = function() memory.has_begun = true end,
-    { "waiting", when = is_known_no_more, because = "the room was forgotten: parameters of the wall or the colors were changed" },
+    { "waiting", when = is_known_no_more, because = "the model was discarded: parameters of the wall or the colors have changed" },
 
     state "watching" {
       enter = function() command.pause_training() end,

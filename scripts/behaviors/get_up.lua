@@ -3,7 +3,7 @@
 -- SPDX-License-Identifier: MIT
 
 param {
-  rest_time = { 1.0, range = { 0, 10 }, unit = "s", doc = "time to lie still before getting up" },
+  rest_time = { 1.0, range = { 0, 10 }, unit = "s", doc = "time for which the robot lies still before it gets up" },
 }
 
 local function is_on_its_feet_or_lifted() return robot.posture == "upright" or robot.posture == "lifted" end
@@ -19,7 +19,7 @@ behavior "get_up" {
   state "lying" {
     update = function() walk.stand() end,
     { "idle", when = function() return robot.posture ~= "lying" end, because = "the robot was helped up" },
-    { "getting up", when = function() return robot.can_get_up end, after = "rest_time", because = "it lies still" },
+    { "getting up", when = function() return robot.can_get_up end, after = "rest_time", because = "the robot lies still" },
   },
 
   state "getting up" {

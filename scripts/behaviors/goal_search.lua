@@ -1,7 +1,7 @@
---- Looks for the goals. A robot with an uncertain orientation stands still and looks in turn at both believed positions of
---- the goals: the wall there distinguishes the ends of the field, and the posts show the position. It decides nothing; it
---- only provides views for the behaviors that decide. If no goal post is in view at either position, the belief is useless,
---- and so is looking where it points.
+--- Looks for the goals. A robot with an unconfirmed orientation stands still and looks in turn at the believed positions of
+--- both goals: the wall there distinguishes the ends of the field, and the posts show the position. It decides nothing; it
+--- only provides views for the behaviors that decide. If no goal post is in view at either position, the belief is wrong,
+--- so the search ends.
 
 -- SPDX-License-Identifier: MIT
 
@@ -12,7 +12,7 @@ param {
   hold_time = { 1.0,  range = { 0, 10 },   unit = "s", doc = "time for which the room must support one pose to end the search" },
   unsure_time = { 10.0, range = { 0, 60 }, unit = "s", doc = "time for which the room may support neither pose before the search starts" },
   unsure_time_after_disturbance = { 4.0, range = { 0, 60 }, unit = "s",
-                doc = "the same directly after a disturbance, when the normal scan of the head is often enough" },
+                doc = "the same time directly after a disturbance; the normal scan of the head is often enough then" },
   timeout   = { 20.0, range = { 1, 120 },  unit = "s", doc = "longest time of a search" },
   dwell     = { 1.0,  range = { 0, 10 },   unit = "s", doc = "time to look at one goal" },
   reach_timeout = { 8.0, range = { 0.5, 60 }, unit = "s", doc = "time after which to try the other goal if the head cannot reach it" },

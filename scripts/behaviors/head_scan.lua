@@ -1,16 +1,16 @@
 --- Moves the head from side to side, once over the walls of the room and once over the lines of the field, so that room
 --- awareness and self-localization both see enough. A robot that searches for its position looks only at the lines, but
---- for a limited time: if no line is found, the room must be learned anyway.
+--- for a limited time, because a robot that finds no lines must learn the room, too.
 
 -- SPDX-License-Identifier: MIT
 
 local p = param {
   width       = { 1.1,  range = { 0, 2.0 },      unit = "rad",   doc = "largest yaw of the head to each side" },
-  speed       = { 1.0,  range = { 0.1, 5.0 },    unit = "rad/s", doc = "how fast to turn the head" },
+  speed       = { 1.0,  range = { 0.1, 5.0 },    unit = "rad/s", doc = "rotation speed of the head" },
   wall_pitch  = { -0.1, range = { -0.6, 0.5 },   unit = "rad",   doc = "pitch of the head while looking at the walls" },
   field_pitch = { 0.25, range = { -0.6, 0.5 },   unit = "rad",   doc = "pitch of the head while looking at the field" },
   line_search = { 15.0, range = { 0, 600 },      unit = "s",     doc = "longest time to look at lines only while the position is unknown" },
-  timeout     = { 4.0,  range = { 0.5, 20.0 },   unit = "s",     doc = "time after which to turn back even if a side was not reached" },
+  timeout     = { 4.0,  range = { 0.5, 20.0 },   unit = "s",     doc = "time after which the head turns back without reaching the side" },
 }
 
 local NEAR = 0.05   -- rad

@@ -13,8 +13,8 @@ local p = param {
   hold_time      = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "time for which the room must support the believed pose" },
   cluster_weight = { 0.6,  range = { 0, 1 },                   doc = "fraction of the particles that must agree on the believed pose" },
   recovery_probability = { 0.1, range = { 0, 1 },              doc = "largest pose.recovery_probability (the position must fit, too)" },
-  timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "longest search before the orientation is reset, and after it" },
-  no_goal_time   = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "time without a goal in view before that reset (a goal may help)" },
+  timeout        = { 25.0, range = { 1, 120 }, unit = "s",     doc = "longest search before a reset of the orientation, and after it" },
+  no_goal_time   = { 3.0,  range = { 0, 20 },  unit = "s",     doc = "time without a goal in view before the reset (a goal may help)" },
   longest        = { 90.0, range = { 5, 600 }, unit = "s",     doc = "longest search with the believed pose, independent of the room" },
   turn           = { 0.4,  range = { 0, 2 },   unit = "rad/s", doc = "rotation speed on the spot during the search" },
 }
@@ -63,7 +63,8 @@ behavior "kidnap_recovery" {
 
     state "with its belief" {
       { "with any orientation", when = is_stuck, lasting = "no_goal_time", after = "timeout", because = "neither pose won" },
-      { "lost", when = function() return not confidence.can_tell end, after = "timeout", because = "the room cannot tell the poses apart" },
+      { "lost", when = function() return not confidence.can_tell end, after = "timeout",
+        because = "the room cannot distinguish the poses" },
       { "lost", after = "longest", because = "the room supports a pose, but the position does not fit" },
     },
 
@@ -84,7 +85,7 @@ behavior "kidnap_recovery" {
   state "lost" {
     enter = function()
       command.pause_training()
-      log.info("still unsure of the pose, continues with it")
+      log.info("the pose is still unconfirmed; continues with it")
     end,
     { "recovered", when = room_supports_the_pose, lasting = "hold_time", because = "the room supports the believed pose" },
   },

@@ -1,8 +1,8 @@
 --- Decides which of the two symmetric poses is correct. If the room supports the reflection of the believed pose, the
 --- belief is flipped. If it supports the believed pose while wrong particles remain, those are purged. After a fall from
---- which the robot got up, the orientation is reset. confidence.status tells whether the confidences are valid. lib.decision
---- sets the threshold: lower for an unconfirmed pose, so that a placed robot is soon correct, and higher for a confirmed
---- pose, which is evaluated again and again for hours. Evidence that rises first and then falls causes no flip.
+--- which the robot got up, the orientation is reset. confidence.status shows whether the confidences are valid. lib.decision
+--- sets the threshold: lower for an unconfirmed pose, so that the belief of a placed robot is soon correct, and higher for a
+--- confirmed pose, which is evaluated repeatedly for hours. Evidence that rises first and then falls causes no flip.
 
 -- SPDX-License-Identifier: MIT
 

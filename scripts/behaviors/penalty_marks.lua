@@ -1,7 +1,8 @@
---- Walks from one penalty mark to the other and back by the believed pose. If it learns an unknown room, it rotates once
---- before it walks, and again on the first visit of a mark if much of the room is still unknown. After a disturbance it
---- goes to its own mark first. Other behaviors decide whether the belief is good enough: while they search for the pose it
---- waits. While the lines do not fit the pose it rotates on the spot, since a walk by a wrong position ends anywhere.
+--- Walks from one penalty mark to the other and back by the believed pose. If it learns an unknown room, it makes a full
+--- rotation before it walks, and another one on the first visit of a mark if much of the room is still unknown. After a
+--- disturbance it goes to its own mark first. Other behaviors decide whether the belief is good enough: while they search
+--- for the pose it waits. While the lines do not fit the pose it rotates on the spot, because with a wrong position it
+--- would walk to a wrong place.
 
 -- SPDX-License-Identifier: MIT
 
@@ -66,8 +67,8 @@ behavior "penalty_marks" {
   state "turning round" {
     enter = function() memory.has_turned = true end,
     update = function() walking.turn(p.turn_speed) end,
-    { "on the mark", when = is_there, after = one_turn, because = "it has turned by 180 degrees" },
-    { "walking", after = one_turn, because = "it has turned by 180 degrees" },
+    { "on the mark", when = is_there, after = one_turn, because = "the robot has made a full rotation" },
+    { "walking", after = one_turn, because = "the robot has made a full rotation" },
   },
 
   state "looking round" {

@@ -1,16 +1,16 @@
 --- Turns the head to the view with the most information while the orientation is unconfirmed: where the room differs most
 --- from its reflection, is near, and was not seen recently. While the room is learned, it looks where most of it is
---- unknown. The core computes the directions; this script decides when to use them. Otherwise it does not use the head.
+--- unknown. The engine computes the directions; this script decides when to use them. Otherwise it does not move the head.
 
 -- SPDX-License-Identifier: MIT
 
 local decision = require "lib.decision"
 
 local p = param {
-  pitch = { -0.1,  range = { -0.6, 0.5 }, unit = "rad",   doc = "how far to look down" },
-  speed = { 2.0,   range = { 0.1, 5.0 },  unit = "rad/s", doc = "how fast to turn the head" },
+  pitch = { -0.1,  range = { -0.6, 0.5 }, unit = "rad",   doc = "pitch of the head, positive downward" },
+  speed = { 2.0,   range = { 0.1, 5.0 },  unit = "rad/s", doc = "rotation speed of the head" },
   dwell = { 0.2,   range = { 0, 5.0 },    unit = "s",     doc = "time to look in one direction" },
-  timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "time after which to look elsewhere if a direction was not reached" },
+  timeout = { 2.0, range = { 0.2, 20.0 }, unit = "s",     doc = "time after which the head turns to the next view anyway" },
   study = { 0.4,   range = { 0, 5.0 },    unit = "s",     doc = "time to look in one direction while the room is learned" },
   least = { 0.05,  range = { 0, 10 },     unit = "tiles", doc = "smallest score of a view at which the head turns to it" },
   unknown = { 3.0, range = { 0, 100 },    unit = "tiles", doc = "smallest number of unknown tiles at which the head turns to a view" },
@@ -18,7 +18,7 @@ local p = param {
 
 local NEAR = 0.08   -- rad
 
-local memory = keep { yaw = 0.0 }   -- where it looks
+local memory = keep { yaw = 0.0 }   -- direction of the head, rad
 
 -- If the pose filter is lost, the believed directions of the walls, and so of the best view, are wrong.
 local function is_in_doubt()

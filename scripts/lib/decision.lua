@@ -1,6 +1,5 @@
---- How much evidence is needed for a decision, computed from the permitted number of errors. Evidence is given in log-odds:
---- at 99 in 100 it is wrong once in a hundred chances to be wrong. So the permitted rate of errors determines the threshold.
---- All behaviors share it.
+--- Computes the threshold of the evidence from the permitted rate of wrong decisions. Evidence is given in log-odds: a
+--- decision at 99 in 100 is wrong once in a hundred evaluations. All behaviors use the same threshold.
 
 -- SPDX-License-Identifier: MIT
 

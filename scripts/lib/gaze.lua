@@ -6,9 +6,9 @@ local walking = require "lib.walk"
 
 local p = param {
   reach = { 1.4,  range = { 0.2, 2.0 },  unit = "rad",   doc = "largest yaw of the head toward a target" },
-  pitch = { 0.0,  range = { -0.6, 0.5 }, unit = "rad",   doc = "pitch of the head: a little of the field and much of the wall" },
-  speed = { 2.0,  range = { 0.1, 5.0 },  unit = "rad/s", doc = "how fast to turn the head" },
-  turn  = { 0.5,  range = { 0.1, 2 },    unit = "rad/s", doc = "how fast to turn the body" },
+  pitch = { 0.0,  range = { -0.6, 0.5 }, unit = "rad",   doc = "pitch of the head, positive downward" },
+  speed = { 2.0,  range = { 0.1, 5.0 },  unit = "rad/s", doc = "rotation speed of the head" },
+  turn  = { 0.5,  range = { 0.1, 2 },    unit = "rad/s", doc = "rotation speed of the body" },
   near  = { 0.15, range = { 0.02, 1 },   unit = "rad",   doc = "largest angle between the target and the middle of the view" },
 }
 

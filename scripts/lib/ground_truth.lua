@@ -1,4 +1,4 @@
---- Measures the error of the belief, for scenarios: only they can read the truth.
+--- Measures the error of the belief, for scenarios, because only scenarios can read the truth.
 
 -- SPDX-License-Identifier: MIT
 

@@ -4,7 +4,7 @@
 
 local p = param {
   speed    = { 1.0, range = { 0, 2 },                   doc = "forward speed as a fraction of robot.cruise" },
-  turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "how fast to turn" },
+  turn     = { 0.6, range = { 0, 2 },   unit = "rad/s", doc = "rotation speed" },
   near     = { 0.3, range = { 0, 2 },   unit = "m",     doc = "distance below which it walks slower and does not turn to the target" },
   aligned  = { 0.4, range = { 0, 3.2 }, unit = "rad",   doc = "largest bearing at which it walks while turning; above, it turns in place" },
   distance = { 0.1, range = { 0, 1 },   unit = "m",     doc = "distance at which the robot counts as arrived" },
@@ -30,7 +30,7 @@ local function clamp(value, limit) return math.max(-limit, math.min(limit, value
 ---@param x number m
 ---@param y number m
 ---@return number distance m
----@return number bearing rad, to the left of where the robot looks
+---@return number bearing rad, positive to the left of straight ahead
 function walk_library.distance_and_bearing(x, y)
   local dx, dy = x - pose.x, y - pose.y
   return math.sqrt(dx * dx + dy * dy), walk_library.normalize(math.atan(dy, dx) - pose.rotation)

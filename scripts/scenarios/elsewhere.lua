@@ -1,6 +1,6 @@
 --- A robot learns the room at one or more places and is then tested at another one. Objects in front of the virtual wall, and
---- walls nearer or farther than it, appear there beside the tiles where the robot learned them (parallax). The scenario sets
---- either the true pose or the mirrored pose as initial pose, and observes the belief from then on.
+--- walls nearer or farther than it, appear there beside the tiles where the robot learned them (parallax). At the end the
+--- scenario sets either the true pose or the mirrored pose as initial pose, and then observes the belief.
 
 -- SPDX-License-Identifier: MIT
 
@@ -85,7 +85,7 @@ scenario "elsewhere" {
       else
         operator.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
       end
-      ground_truth.note("told the " .. p.told)
+      ground_truth.note("initial pose: " .. p.told)
     end,
     { "right", when = ground_truth.is_belief_right, after = "watch", because = "the time is up and the belief is right" },
     { "wrong", after = "watch", because = "the time is up and the belief is wrong" },

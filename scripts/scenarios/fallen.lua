@@ -58,7 +58,7 @@ scenario "fallen" {
 
   state "failed" {
     enter = function()
-      ground_truth.note("gave up")
+      ground_truth.note("time is up")
       verdict.fail("the robot did not confirm a correct pose in time; its belief is " .. ground_truth.error_in_words())
     end,
   },

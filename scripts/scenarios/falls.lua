@@ -1,4 +1,4 @@
---- The robot walks between the penalty marks and is pushed over from time to time. How exactly does it know its pose?
+--- Measures how exactly a robot knows its pose that walks between the penalty marks and is pushed over from time to time.
 --- Either the operator sets the initial pose, or the robot is placed anywhere and no initial pose is set.
 
 -- SPDX-License-Identifier: MIT

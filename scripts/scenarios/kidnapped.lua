@@ -1,6 +1,6 @@
---- A robot that has learned the room is lifted and placed elsewhere, some meters and some rotation away from the reflection
---- of its belief. Both its believed pose and the reflection are wrong, and the wrong one of the two new poses is nearer. It
---- should distrust its pose, search, and walk to its own penalty mark.
+--- A robot that has learned the room is lifted and placed elsewhere: some meters away from the reflection of its belief, and
+--- rotated. Its believed pose and the reflection are both wrong. It should distrust its pose, search, and walk to its own
+--- penalty mark.
 
 -- SPDX-License-Identifier: MIT
 
@@ -17,7 +17,7 @@ local p = param {
   timeout  = { 180.0, range = { 1, 600 },   unit = "s",   doc = "longest time after it was placed" },
 }
 
-local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when the robot was lifted
 
 local function put_down_elsewhere()
   local rotation = memory.rotation + math.pi   -- of the reflection
@@ -49,7 +49,7 @@ scenario "kidnapped" {
   state "carrying" {
     enter = function()
       memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
-      ground_truth.note("picked up")
+      ground_truth.note("lifted")
       operator.pick_up()
     end,
     { "elsewhere", after = "carry", because = "the robot is placed elsewhere" },
@@ -86,7 +86,7 @@ scenario "kidnapped" {
 
   state "failed" {
     enter = function()
-      ground_truth.note("gave up")
+      ground_truth.note("time is up")
       verdict.fail("the robot did not reach its mark in time; its belief is " .. ground_truth.error_in_words())
     end,
   },

@@ -1,5 +1,5 @@
---- A robot starts with the mirrored pose as its belief and learns the room: the learned room is rotated by 180 degrees and
---- so agrees with the wrong belief. Then the true pose is set once, or set again after the robot has flipped it, or nothing
+--- A robot starts with the mirrored pose as its belief and learns the room: the learned room is rotated by 180 degrees, so
+--- it agrees with the wrong belief. Then the true pose is set once, or set again after the robot has flipped it, or nothing
 --- happens.
 
 -- SPDX-License-Identifier: MIT

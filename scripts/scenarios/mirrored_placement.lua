@@ -10,12 +10,12 @@ local p = param {
   learn   = { 40.0,  range = { 0, 600 },  unit = "s", doc = "time for which the robot learns the room" },
   carry   = { 1.5,   range = { 0.2, 30 }, unit = "s", doc = "time for which the robot is lifted" },
   mark_tolerance = { 0.5,   range = { 0.1, 2 },  unit = "m", doc = "largest distance from the correct mark" },
-  settle  = { 2.0,   range = { 0, 30 },   unit = "s", doc = "time for which the belief of a robot that cannot walk must stay correct" },
+  settle  = { 2.0,   range = { 0, 30 },   unit = "s", doc = "time for which the belief must stay correct if the robot cannot walk" },
   stay    = { 0.5,   range = { 0, 10 },   unit = "s", doc = "time for which it must stay near a mark" },
   timeout = { 120.0, range = { 1, 600 },  unit = "s", doc = "longest time after it was placed" },
 }
 
-local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when it was picked up
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0 }   -- the belief when the robot was lifted
 
 local function stands_on_mark(side)
   return ground_truth.is_on_mark(side, p.mark_tolerance) and behaviors.penalty_marks.state == "on the mark"
@@ -40,10 +40,10 @@ scenario "mirrored_placement" {
   state "carrying" {
     enter = function()
       memory.x, memory.y, memory.rotation = pose.x, pose.y, pose.rotation
-      ground_truth.note("picked up")
+      ground_truth.note("lifted")
       operator.pick_up()
     end,
-    { "mirrored", after = "carry", because = "placed at the reflection of its belief" },
+    { "mirrored", after = "carry", because = "the robot is placed at the reflection of its belief" },
   },
 
   state "mirrored" {
@@ -62,7 +62,7 @@ scenario "mirrored_placement" {
 
     state "right again" {
       enter = function()
-        ground_truth.note("right again")
+        ground_truth.note("the belief is correct again")
         verdict.succeed("the robot noticed that its belief was mirrored")
       end,
     },
@@ -84,7 +84,7 @@ scenario "mirrored_placement" {
 
   state "failed" {
     enter = function()
-      ground_truth.note("gave up")
+      ground_truth.note("time is up")
       verdict.fail("the robot did not correct its belief or did not reach the correct mark in time")
     end,
   },

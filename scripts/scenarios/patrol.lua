@@ -1,5 +1,5 @@
 --- Endurance: the robot walks between the penalty marks for a long time without any event. It should neither flip a correct
---- belief nor damage what it has learned.
+--- belief nor degrade the learned room.
 
 -- SPDX-License-Identifier: MIT
 
@@ -10,7 +10,7 @@ local p = param {
   report   = { 60.0,  range = { 1, 3600 },  unit = "s", doc = "interval at which truth and belief are logged" },
 }
 
-local memory = keep { wrong = 0.0 }   -- s, how long the belief was wrong so far
+local memory = keep { wrong = 0.0 }   -- s for which the belief was wrong so far
 
 local function is_over() return clock.time >= p.duration end
 
@@ -40,7 +40,7 @@ scenario "patrol" {
 
     state "on its way" {
       exit = function() ground_truth.note(string.format("wrong for %.1f s so far", memory.wrong)) end,
-      { "on its way", after = "report", because = "a report is due" },
+      { "on its way", after = "report", because = "it is time for a report" },
     },
   },
 

@@ -1,6 +1,6 @@
---- One trial of an experiment: a robot that has learned its room, then an event, after which the belief is measured. The
+--- One trial of an experiment: a robot learns its room, then an event happens, and after it the belief is measured. The
 --- parameters `light.*` can change the light after learning. Parameters choose the event, its position and its time; the
---- seed chooses the rest. assets/experiments uses it throughout; `reorient run trial --set trial.event=fallen` shows one.
+--- seed chooses the rest. All experiments in assets/experiments use it. Example: `reorient run trial --set trial.event=fallen`
 
 -- SPDX-License-Identifier: MIT
 
@@ -9,7 +9,7 @@ local ground_truth = require "lib.ground_truth"
 local p = param {
   event = { "mirrored_placement", doc = "event that happens to the robot", choices = {
     "none",           -- no event
-    "mirrored_placement",   -- it is carried, and placed at the reflection of its belief
+    "mirrored_placement",   -- it is lifted and placed at the reflection of its belief
     "put_back",       -- it is lifted and placed where it was
     "kidnapped",      -- it is lifted and placed anywhere on the field
     "fallen",         -- it is pushed over
@@ -27,7 +27,7 @@ local p = param {
   timeout = { 60.0,  range = { 1, 36000 }, unit = "s", doc = "time for which the belief is observed" },
 }
 
-local memory = keep { x = 0.0, y = 0.0, rotation = 0.0, wait = 0.0 }   -- the belief when something happens
+local memory = keep { x = 0.0, y = 0.0, rotation = 0.0, wait = 0.0 }   -- the belief before the event
 
 local function start_pose()
   local x, y, rotation = ground_truth.start_pose()
@@ -45,7 +45,7 @@ local function put_down_anywhere()
 end
 
 -- Executes the event; the belief is observed from this moment.
-local DEEDS = {
+local EVENTS = {
   none = function() end,
   mirrored_placement = function() operator.put_down(-memory.x, -memory.y, memory.rotation + math.pi) end,
   put_back = function() operator.put_down(truth.x, truth.y, truth.rotation) end,
@@ -116,7 +116,7 @@ scenario "trial" {
   state "measured" {
     enter = function()
       ground_truth.note(p.event)
-      DEEDS[p.event]()
+      EVENTS[p.event]()
     end,
     { "right", when = ground_truth.is_belief_right, after = "timeout", because = "the time is up and the belief is right" },
     { "wrong", after = "timeout", because = "the time is up and the belief is wrong" },

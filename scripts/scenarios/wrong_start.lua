@@ -29,7 +29,7 @@ scenario "wrong_start" {
   state "misled" {
     initial = "wrong",
     enter = function()
-      ground_truth.note("told the reflection")
+      ground_truth.note("initial pose: reflection")
       operator.set_initial_pose(-truth.x, -truth.y, truth.rotation + math.pi)
     end,
     { "failed", after = "timeout", because = "the time is up" },

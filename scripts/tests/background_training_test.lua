@@ -40,7 +40,7 @@ test("without a known pose it neither trains nor evaluates", function()
   expect.lease("pause_evaluation")
 end)
 
-test("it goes on learning until enough of the wall is known on both sides", function()
+test("it continues to learn until enough of the wall is known on both sides", function()
   start()
   set_world { training = { seconds = 25 }, confidence = { coverage = 0.5, paired = 0.1 } }
   advance(1)
@@ -70,14 +70,14 @@ test("less of the wall is enough after a while, since a still body cannot see mo
   expect.state("background_training", "trusting/watching")
 end)
 
-test("it trusts the model after a while whatever is known", function()
+test("it trusts the model after a while, however much of the wall is known", function()
   start()
   set_world { training = { seconds = 36 }, confidence = { coverage = 0.5, paired = 0.1 } }
   advance(0.1)
   expect.state("background_training", "trusting/watching")
 end)
 
-test("a room that was forgotten is learned again", function()
+test("a room whose model was discarded is learned again", function()
   learned()
   expect.state("background_training", "trusting/watching")
   set_world { training = { seconds = 0 }, confidence = { paired = 0 } }
@@ -86,7 +86,7 @@ test("a room that was forgotten is learned again", function()
   expect.lease("pause_evaluation")
 end)
 
-test("while it learns from a pose that it was told, it purges reflected beliefs", function()
+test("while it learns with a set initial pose, it purges reflected beliefs", function()
   start()
   set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.02 } }
   advance(1)
@@ -109,7 +109,7 @@ test("a learned room is evaluated and no longer trained", function()
   expect.no_lease("pause_evaluation")
 end)
 
-test("it trains on where a room that could tell seems symmetric, as long as nothing else speaks against it", function()
+test("it continues to train if a distinguishable room starts to seem symmetric without a disturbance", function()
   learned()
   set_world { confidence = { evidence = -7 } }
   advance(1.2)
@@ -122,10 +122,10 @@ test("it trains on where a room that could tell seems symmetric, as long as noth
   expect.lease("pause_training")
   set_world { confidence = { evidence = -7 } }
   advance(2)
-  expect.lease("pause_training")   -- from here on it would have to be told apart first
+  expect.lease("pause_training")   -- now the room must become distinguishable first
 end)
 
-test("it trains on only while the current pose clearly wins", function()
+test("it trains further only while the believed pose clearly wins", function()
   learned()
   set_world { confidence = { evidence = -7 } }
   advance(0.9)
@@ -201,7 +201,7 @@ for what, change in pairs(DISTURBANCES) do
   end)
 end
 
-test("a fall goes on until the robot stands again", function()
+test("a fall lasts until the robot stands again", function()
   learned()
   for _, posture in ipairs { "falling", "lying", "getting_up" } do
     set_world { robot = { posture = posture } }
@@ -214,7 +214,7 @@ test("a fall goes on until the robot stands again", function()
   expect.state("background_training", "trusting/watching")
 end)
 
-test("a robot that is carried off by the referee stays paused from one reason to the next", function()
+test("a robot that is penalized and lifted stays paused during both", function()
   learned()
   set_world { robot = { posture = "lifted", penalized = true } }
   advance(1)
@@ -224,7 +224,7 @@ test("a robot that is carried off by the referee stays paused from one reason to
   expect_pause()
 end)
 
-test("how long the robot must stand can be set", function()
+test("the time for which the robot must stand can be set", function()
   set_param("background_training.undisturbed_time", "2.0")
   learned()
   set_world { robot = { posture = "lifted" } }
@@ -254,7 +254,7 @@ test("a room that is known already is trusted at once", function()
   expect.reason("background_training", "the room is known")
 end)
 
-test("a room that was learned enough while a purge settles is trusted", function()
+test("a room that is learned enough during the pause after a purge is trusted", function()
   start()
   set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.2 } }
   advance(0.1)
@@ -264,7 +264,7 @@ test("a room that was learned enough while a purge settles is trusted", function
   expect.state("background_training", "trusting/watching")
 end)
 
-test("after it was put down it does not train on confidences that are not usable yet", function()
+test("after it was placed it does not train while the confidences are not usable yet", function()
   learned()
   set_world { robot = { posture = "lifted" } }
   advance(1)
@@ -290,7 +290,7 @@ test("a robot that was lifted before it had learned the room does not learn from
   expect.lease("pause_training")
 end)
 
-test("a robot that was lifted before it trained at all does not vouch for its pose any more, either", function()
+test("a robot that was lifted before any training does not purge, because its pose is not reliable", function()
   start()
   advance(1)
   set_world { robot = { posture = "lifted" } }
@@ -301,7 +301,7 @@ test("a robot that was lifted before it trained at all does not vouch for its po
   expect.no_command()
 end)
 
-test("a robot that was told its pose while it was still carried learns once it stands", function()
+test("a robot whose initial pose was set while it was lifted learns as soon as it stands", function()
   load_behavior "background_training"
   set_world { robot = { posture = "lifted" }, pose = { known = true } }
   advance(2)
@@ -311,7 +311,7 @@ test("a robot that was told its pose while it was still carried learns once it s
   expect.state("background_training", "learning/studying")
 end)
 
-test("a reload in the middle keeps the leases", function()
+test("a reload does not end the leases", function()
   learned()
   reload { from = "doc = \"time for which the log-odds must reach proof\"", to = "doc = \"how long it must last\"" }
   advance(0.1)

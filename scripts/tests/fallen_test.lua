@@ -28,7 +28,7 @@ local function get_up()
   expect.command("reset_orientation", "granted")
 end
 
-test("succeeds when the robot got up and is sure of a right pose", function()
+test("succeeds when the robot got up and has confirmed a correct pose", function()
   fall()
   get_up()
   expect.state("fallen", "pushed over/up again")
@@ -40,21 +40,21 @@ test("succeeds when the robot got up and is sure of a right pose", function()
   expect.verdict(true, "found it again")
 end)
 
-test("is not content with a right pose of which the robot is unsure", function()
+test("does not succeed with a correct but unconfirmed pose", function()
   fall()
   get_up()
   advance(30)
   expect.state("fallen", "pushed over/up again")
 end)
 
-test("is not content with a right pose without a reset", function()
+test("does not succeed with a correct pose without a reset", function()
   fall()
   set_world { confidence = { evidence = -9 } }
   advance(30)
   expect.state("fallen", "pushed over/down")
 end)
 
-test("fails when the time is up, and says how far off the belief is", function()
+test("fails when the time is up, and reports the error of the belief", function()
   fall()
   get_up()
   set_world { confidence = { evidence = -9 }, pose = { x = -1, y = -0.5, rotation = math.pi } }

@@ -39,7 +39,7 @@ test("stops when it is lifted", function()
   expect.get_up(false)
 end)
 
-test("rests again when it was helped up before it began", function()
+test("waits again after it was helped up before it started to get up", function()
   load_behavior "get_up"
   for _, help in ipairs { "upright", "getting_up", "lifted" } do
     set_world { robot = { posture = "lying" } }
@@ -53,7 +53,7 @@ test("rests again when it was helped up before it began", function()
   end
 end)
 
-test("goes on getting up until it stands, and takes a new rest after a second fall", function()
+test("continues to get up until it stands, and waits again after a second fall", function()
   load_behavior "get_up"
   set_world { robot = { posture = "lying" } }
   advance(6)

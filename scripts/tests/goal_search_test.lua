@@ -35,7 +35,7 @@ local DISTURBANCES = {
   penalized = { { penalized = true }, { penalized = false } },
 }
 
-test("leaves head and legs to others while the room supports one pose", function()
+test("does not request head or legs while the room supports one pose", function()
   start()
   advance(60)
   expect.state("goal_search", "resting")
@@ -53,7 +53,7 @@ test("searches when the room supports neither pose for a while", function()
   expect.state("goal_search", "searching/opponent goal")
 end)
 
-test("gives as its reason that the room supports neither pose", function()
+test("reports as its reason that the room supports neither pose", function()
   start()
   set_world { confidence = { evidence = -2 } }
   advance(10.03)
@@ -69,7 +69,7 @@ test("does not search in a room that is not known", function()
   expect.state("goal_search", "resting")
 end)
 
-test("does not search in a room that looks the same after half a turn", function()
+test("does not search in a room that looks the same after a rotation by 180 degrees", function()
   start()
   set_world { confidence = { evidence = 0, paired = 0.5, distinctiveness = 0.01 } }
   advance(60)
@@ -111,7 +111,7 @@ test("rests after a disturbance when the room is not known", function()
   expect.state("goal_search", "resting")
 end)
 
-test("a disturbance while the confidences catch up restarts the wait", function()
+test("another disturbance before the confidences are valid restarts the waiting time", function()
   start()
   set_world { robot = { posture = "lifted" } }
   advance(1)
@@ -125,7 +125,7 @@ test("a disturbance while the confidences catch up restarts the wait", function(
   expect.state("goal_search", "put down")
 end)
 
-test("begins with the goal that is nearer to the view", function()
+test("starts with the goal that is nearer to the view", function()
   start()
   set_world { robot = { head_yaw = 0.5 } }
   put_down()
@@ -152,7 +152,7 @@ test("looks at both goals in turn and dwells on each", function()
   expect.state("goal_search", "searching/opponent goal")
 end)
 
-test("turns the body towards a goal that the neck does not reach, the shorter way round", function()
+test("turns the body toward a goal that the neck does not reach, in the shorter direction", function()
   start()
   stand_at(0, 0, math.rad(20))   -- the own goal is 160 degrees to the left, the opponent goal 20 to the right
   set_world { robot = { head_yaw = math.rad(-20) } }
@@ -173,7 +173,7 @@ test("stands while the neck reaches the goal", function()
   expect.walk(0, 0, 0)
 end)
 
-test("goes on to the other goal when one cannot be looked at", function()
+test("continues with the other goal if the head cannot reach one", function()
   start()
   put_down()
   set_world { robot = { head_yaw = 0.3 }, confidence = { evidence = 0 } }
@@ -195,7 +195,7 @@ for _, case in ipairs { { "believed", -9 }, { "reflected", 9 } } do
   end)
 end
 
-test("ends when it takes too long, and begins again later", function()
+test("ends when it takes too long, and starts again later", function()
   start()
   put_down()
   set_world { confidence = { evidence = 0 } }
@@ -207,7 +207,7 @@ test("ends when it takes too long, and begins again later", function()
   expect.state("goal_search", "searching/opponent goal")
 end)
 
-test("ends when no goal stands at either place: the belief is worth nothing", function()
+test("ends when no goal is at either believed position, because the belief is wrong", function()
   start()
   put_down()
   set_world { confidence = { evidence = 0 }, seen = { goal_posts = 0 } }
@@ -220,10 +220,10 @@ test("ends when no goal stands at either place: the belief is worth nothing", fu
   expect.state("goal_search", "resting")
 end)
 
-test("does not take goals that cannot be looked at for empty ones", function()
+test("does not count goals as missing that the head cannot reach", function()
   start()
   put_down()
-  look_at(0.0)   -- between the two, which the neck does not reach, and the body does not turn
+  look_at(0.0)   -- between the goals; the neck does not reach them, and the body does not turn
   advance(18)
   expect.state("goal_search", "searching/opponent goal")
   advance(4)
@@ -231,7 +231,7 @@ test("does not take goals that cannot be looked at for empty ones", function()
   expect.reason("goal_search", "the search took too long")
 end)
 
-test("does not take a goal that is seen elsewhere for the one that was looked for", function()
+test("does not count a goal in another direction as the expected goal", function()
   start()
   put_down()
   set_world { confidence = { evidence = 0 } }
@@ -254,7 +254,7 @@ test("a fall ends the search", function()
   expect.state("goal_search", "disturbed")
 end)
 
-test("has the head before head_scan, and not before it searches", function()
+test("overrides head_scan only while it searches", function()
   load_behavior "head_scan"
   start()
   expect.head(1.1, -0.1)

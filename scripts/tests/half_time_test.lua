@@ -5,7 +5,7 @@
 local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
 local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
---- Up to the frame in which the robot hears of it.
+--- Advances to the frame in which the robot receives the change of sides.
 local function change_sides()
   set_truth(-1, 0.5, 0)
   set_belief(-1, 0.5, 0)
@@ -21,7 +21,7 @@ local function change_sides()
   set_belief(1, -0.5, math.pi)
 end
 
-test("succeeds when the belief has turned with the axes", function()
+test("succeeds when the belief was rotated with the axes", function()
   change_sides()
   advance(59)
   expect.state("half_time", "second half/knowing")
@@ -29,7 +29,7 @@ test("succeeds when the belief has turned with the axes", function()
   expect.verdict(true, "knows its position after the change of sides")
 end)
 
-test("fails when the belief stays as it was", function()
+test("fails when the belief stays unchanged", function()
   change_sides()
   set_belief(-1, 0.5, 0)
   advance(1.5)

@@ -24,7 +24,7 @@ test("sweeps over the walls and then over the field", function()
   expect.reason("head_scan", "the side is reached")
 end)
 
-test("looks at the lines only while the robot looks for its place", function()
+test("looks only at the lines while the robot searches for its position", function()
   set_world { pose = { tracked = false } }
   load_behavior "head_scan"
   advance(0.1)
@@ -35,7 +35,7 @@ test("looks at the lines only while the robot looks for its place", function()
   expect.head(1.1, -0.1)
 end)
 
-test("looks at the walls again where the lines do not tell the place", function()
+test("looks at the walls again if the lines do not show the position", function()
   set_world { pose = { tracked = false } }
   load_behavior "head_scan"
   advance(15.9)   -- the head never reaches a side here, so each state lasts 4 s

@@ -23,7 +23,7 @@ test("does nothing while the robot is not lifted", function()
   expect.no_command()
 end)
 
-test("does not take a hand that only steadies it for being lifted", function()
+test("does not count a hand that only steadies the robot as a lift", function()
   load_behavior "kidnap_recovery"
   set_world { robot = { posture = "lifted" } }
   advance(0.4)
@@ -32,7 +32,7 @@ test("does not take a hand that only steadies it for being lifted", function()
   expect.state("kidnap_recovery", "undisturbed")
 end)
 
-test("does not take a fall, or getting up, for being lifted", function()
+test("does not count a fall or getting up as a lift", function()
   load_behavior "kidnap_recovery"
   for _, posture in ipairs { "falling", "lying", "getting_up", "upright" } do
     set_world { robot = { posture = posture } }
@@ -41,7 +41,7 @@ test("does not take a fall, or getting up, for being lifted", function()
   end
 end)
 
-test("a robot that was put down turns on the spot, and nothing is trained", function()
+test("a placed robot turns on the spot without training", function()
   put_down()
   expect.state("kidnap_recovery", "searching/with its belief")
   expect.reason("kidnap_recovery", "the robot stands at an unknown position")
@@ -51,7 +51,7 @@ test("a robot that was put down turns on the spot, and nothing is trained", func
   expect.no_command()
 end)
 
-test("a penalized robot begins to search when it may play again", function()
+test("a penalized robot starts to search when it may play again", function()
   load_behavior "kidnap_recovery"
   set_world { robot = { posture = "lifted", penalized = true } }
   advance(1)
@@ -77,7 +77,7 @@ test("recovers when the room supports the believed pose long enough", function()
   expect.no_command()
 end)
 
-test("does not count the time in which the confidences are fresh", function()
+test("does not count the time for which the confidences are fresh", function()
   put_down()
   set_world { confidence = { evidence = -9, current = 0.9, status = "fresh" } }
   advance(10)
@@ -89,14 +89,14 @@ test("does not count the time in which the confidences are fresh", function()
   expect.state("kidnap_recovery", "recovered")
 end)
 
-test("does not believe in a pose on which the pose particles do not agree", function()
+test("does not recover with a pose on which the pose particles do not agree", function()
   put_down()
   set_world { confidence = { evidence = -9, current = 0.9 }, pose = { cluster_weight = 0.4 } }
   advance(15)
   expect.state("kidnap_recovery", "searching/with its belief")
 end)
 
-test("forgets the orientation once when neither pose wins, and searches again", function()
+test("resets the orientation once when neither pose wins, and searches again", function()
   put_down()
   advance(24)
   expect.no_command()
@@ -113,7 +113,7 @@ test("forgets the orientation once when neither pose wins, and searches again", 
   expect.state("kidnap_recovery", "recovered")
 end)
 
-test("forgets nothing while the room speaks for the reflected pose: orientation will flip it", function()
+test("does not reset while the room supports the reflected pose, because orientation will flip it", function()
   put_down()
   set_world { confidence = { evidence = 9 } }
   advance(60)
@@ -121,7 +121,7 @@ test("forgets nothing while the room speaks for the reflected pose: orientation 
   expect.no_command()
 end)
 
-test("forgets nothing while a goal is in view: it may just be helping", function()
+test("does not reset while a goal is in view, because it may help", function()
   put_down()
   for _ = 1, 20 do
     set_world { seen = { goal_posts = 1 } }
@@ -135,12 +135,12 @@ test("forgets nothing while a goal is in view: it may just be helping", function
   expect.state("kidnap_recovery", "searching/with any orientation")
 end)
 
-test("goes on in the end without training, and can still recover", function()
+test("gives up in the end, still without training, and can recover later", function()
   put_down()
   advance(50.2)
   expect.state("kidnap_recovery", "lost")
   expect.reason("kidnap_recovery", "neither pose won again")
-  expect.log("still unsure")
+  expect.log("still unconfirmed")
   expect.lease("pause_training")
   advance(30)
   expect.no_command()
@@ -175,9 +175,9 @@ for what, interrupted in pairs {
   end)
 end
 
-test("goes on in the end where the room speaks for the pose, but its place never fits", function()
+test("gives up in the end if the room supports the pose, but its position never fits", function()
   put_down()
-  set_world { confidence = { evidence = -9, current = 0.35 } }   -- less than its share
+  set_world { confidence = { evidence = -9, current = 0.35 } }   -- below the parameter share
   advance(88)
   expect.state("kidnap_recovery", "searching/with its belief")
   advance(3)
@@ -196,7 +196,7 @@ test("a robot that may not walk yet neither searches nor resets, and may recover
   expect.state("kidnap_recovery", "recovered")
 end)
 
-test("restarts whenever it is lifted", function()
+test("restarts with each lift", function()
   put_down()
   set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(7)
@@ -221,10 +221,10 @@ test("leaves the flip to orientation and stands before walking", function()
   set_world { confidence = { evidence = -9, current = 0.9 } }
   advance(5)
   expect.state("kidnap_recovery", "recovered")
-  expect.walk(0.2, 0, 0)   -- penalty_marks goes to its mark, at which the flipped pose looks
+  expect.walk(0.2, 0, 0)   -- penalty_marks walks to its mark, which is straight ahead of the flipped pose
 end)
 
-test("leaves the legs to goal_search while that looks at a goal", function()
+test("leaves the legs to goal_search while goal_search looks at a goal", function()
   load_behavior "goal_search"
   put_down()
   advance(3.5)
@@ -237,23 +237,23 @@ end)
 
 for what, world in pairs {
   ["is not known"] = { confidence = { coverage = 0.1 } },
-  ["looks the same after half a turn"] = { confidence = { paired = 0.5, distinctiveness = 0.01 } },
+  ["looks the same after a rotation by 180 degrees"] = { confidence = { paired = 0.5, distinctiveness = 0.01 } },
 } do
-  test("forgets nothing when the room " .. what .. ", and goes on in the end", function()
+  test("does not reset if the room " .. what .. ", and gives up in the end", function()
     put_down()
     set_world(world)
     advance(24)
     expect.state("kidnap_recovery", "searching/with its belief")
     advance(1)
     expect.state("kidnap_recovery", "lost")
-    expect.reason("kidnap_recovery", "the room cannot tell the poses apart")
+    expect.reason("kidnap_recovery", "the room cannot distinguish the poses")
     advance(60)
     expect.no_command()
     expect.lease("pause_training")
   end)
 end
 
-test("an edit while it searches keeps the pause and the time", function()
+test("an edit while it searches changes neither the pause nor the time", function()
   put_down()
   advance(20)
   reload { from = "priority = 25", to = "priority = 26" }
@@ -262,7 +262,7 @@ test("an edit while it searches keeps the pause and the time", function()
   expect.command("reset_orientation", "granted")
 end)
 
-test("a direction that fits is not enough while the place does not", function()
+test("does not recover with a correct direction while the position does not fit", function()
   put_down()
   set_world { confidence = { evidence = -9, current = 0.9 }, pose = { recovery_probability = 0.5 } }
   advance(20)

@@ -26,7 +26,7 @@ local function expect_success()
   expect.verdict(true, "0.00 m and 0 degrees off")
 end
 
-test("fails when nothing is done and the belief stays mirrored", function()
+test("fails without a remedy if the belief stays mirrored", function()
   learn("none")
   advance(10.1)
   expect.verdict(false, "2.24 m and 180 degrees off")
@@ -52,7 +52,7 @@ test("sets the true pose again once the robot has flipped it", function()
   expect_success()
 end)
 
-test("does not set a pose again that the robot keeps", function()
+test("does not set the pose again if the robot does not flip it", function()
   learn("set_again")
   believe_truth()
   advance(9.9)

@@ -5,7 +5,7 @@
 local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
 local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
---- Up to the moment when the robot stands where its belief is reflected.
+--- Advances until the robot stands at the reflection of its belief.
 local function put_down()
   set_truth(-3.2, -3.5, math.rad(90))
   load_scenario "mirrored_placement"
@@ -60,7 +60,7 @@ test("loads the behaviors that it needs", function()
   expect.head(1.1, 0.25)
 end)
 
-test("a robot that cannot walk has done its job when its belief stays right", function()
+test("succeeds with a robot that cannot walk when its belief stays correct", function()
   put_down()
   set_world { robot = { can_walk = false } }
   advance(30)

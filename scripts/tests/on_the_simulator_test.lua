@@ -10,21 +10,21 @@ test("a mirrored robot notices, flips and ends with a correct belief", function(
   expect.equal(is_right, true)
 end)
 
-test("the same robot, blind to the room, never notices", function()
+test("the same robot without room awareness never notices", function()
   local is_right = simulate { scenario = "mirrored_placement", seed = 1, room_awareness = false }
   expect.verdict(false, "believes its reflected pose")
   expect.no_command("flip_pose")
   expect.equal(is_right, false)
 end)
 
-test("a robot that fell forgets its orientation and finds it again", function()
+test("a robot that fell resets its orientation and finds it again", function()
   local is_right = simulate { scenario = "fallen", seed = 1 }
   expect.verdict(true, "found it again")
   expect.command("reset_orientation", "granted")
   expect.equal(is_right, true)
 end)
 
-test("a kidnapped robot distrusts its pose, searches, and finds its place", function()
+test("a kidnapped robot distrusts its pose, searches, and finds its position", function()
   local is_right = simulate { scenario = "kidnapped", seed = 2 }
   expect.verdict(true, "found its position")
   expect.log("recovered")

@@ -51,7 +51,7 @@ test("does not flip while the evidence decreases", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("forgets by a reset what the room said before it", function()
+test("evidence from before a reset does not count", function()
   learned_room()
   set_world { confidence = { age = 0.5, evidence = 12 }, robot = { posture = "lying" } }
   advance(0.1)
@@ -74,7 +74,7 @@ test("evidence before a restart of the confidences does not count", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("follows what is left of what the room said, once the pose has settled", function()
+test("flips with decreased evidence once the pose has settled", function()
   learned_room()
   set_world { confidence = { age = 1.0, evidence = 20 } }
   advance(0.1)
@@ -85,7 +85,7 @@ test("follows what is left of what the room said, once the pose has settled", fu
   expect.command("flip_pose", "granted")
 end)
 
-test("lets the pose settle for some seconds, however seldom images come", function()
+test("waits some seconds for the pose to settle, even at a low image rate", function()
   learned_room()
   set_world { confidence = { age = 0.2, evidence = 20 } }
   advance(0.1)
@@ -105,7 +105,7 @@ test("does not decide before enough of the room was learned", function()
   expect.no_command()
 end)
 
-test("does not flip in a room that looks the same after half a turn", function()
+test("does not flip in a room that looks the same after a rotation by 180 degrees", function()
   learned_room()
   set_world { confidence = { evidence = 10, paired = 0.5, distinctiveness = 0.0 } }
   advance(10)
@@ -113,7 +113,7 @@ test("does not flip in a room that looks the same after half a turn", function()
   expect.state("orientation", "watching/in doubt")
 end)
 
-test("does not flip in a room that is symmetric, as far as was seen", function()
+test("does not flip in a room that is symmetric as far as it was seen", function()
   learned_room()
   set_world { confidence = { evidence = 10, separability = 0.4 } }
   advance(10)
@@ -132,7 +132,7 @@ test("purges when the current pose wins while reflected beliefs linger", functio
   expect.reason("orientation", "the believed pose won while reflected beliefs may linger")
 end)
 
-test("flips at once after a purge when the room changes its mind", function()
+test("flips at once after a purge if the evidence changes", function()
   learned_room()
   set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.3 } }
   advance(0.3)
@@ -143,7 +143,7 @@ test("flips at once after a purge when the room changes its mind", function()
   expect.reason("orientation", "the reflected pose won after a purge")
 end)
 
-test("does not purge when hardly any reflected belief is left", function()
+test("does not purge if hardly any reflected belief is left", function()
   learned_room()
   set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.02 } }
   advance(5)
@@ -191,7 +191,7 @@ test("a fallen robot that is lifted is not reset, since its next position is unk
   expect.no_command()
 end)
 
-test("purges once after a reset, when the room has told the orientation", function()
+test("purges once after a reset, when the room supports one orientation", function()
   learned_room()
   set_world { robot = { posture = "lying" } }
   advance(3)
@@ -207,7 +207,7 @@ test("purges once after a reset, when the room has told the orientation", functi
   expect.no_command()
 end)
 
-test("a fall while it settles is a fall, too", function()
+test("a fall during the waiting time after a flip counts", function()
   learned_room()
   set_world { confidence = { evidence = 9 } }
   advance(0.7)
@@ -229,7 +229,7 @@ test("a robot that is dropped has fallen", function()
   expect.state("orientation", "fallen")
 end)
 
-test("does not flip while the confidences are fresh, whatever the reason: the pose filter may have changed its mind", function()
+test("does not flip while the confidences are fresh, whatever restarted them", function()
   learned_room()
   set_world { confidence = { evidence = 9, status = "fresh" } }
   advance(3)
@@ -243,7 +243,7 @@ test("does not purge while the confidences are fresh", function()
   expect.no_command()
 end)
 
-test("purges at once after a flip that turned right beliefs round too", function()
+test("purges at once after a flip that also mirrored correct particles", function()
   learned_room()
   set_world { confidence = { evidence = 9 }, pose = { reflected_weight = 0.4 } }
   advance(0.3)
@@ -253,7 +253,7 @@ test("purges at once after a flip that turned right beliefs round too", function
   expect.reason("orientation", "the flip also mirrored correct particles")
 end)
 
-test("does not purge what the room has just spoken for where its flip was refused", function()
+test("does not purge the particles that the room supports after a refused flip", function()
   set_param("arbiter.flip_cooldown", 20)
   learned_room()
   set_world { confidence = { evidence = 9 } }
@@ -267,7 +267,7 @@ test("does not purge what the room has just spoken for where its flip was refuse
   expect.state("orientation", "correcting")
 end)
 
-test("does nothing while it is carried", function()
+test("does nothing while it is lifted", function()
   learned_room()
   set_world { robot = { posture = "lifted" }, confidence = { evidence = 10 } }
   advance(5)
@@ -280,7 +280,7 @@ test("does nothing while it is carried", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("watches as soon as it stands again, and decides no sooner than views have said something", function()
+test("watches as soon as it stands again, and decides only after new views", function()
   learned_room()
   set_world { robot = { posture = "lifted" } }
   advance(2)
@@ -291,7 +291,7 @@ test("watches as soon as it stands again, and decides no sooner than views have 
   expect.no_command()
 end)
 
-test("purges once after a flip that proved right, however few reflected beliefs there are", function()
+test("purges once after a flip that was confirmed, even with few reflected beliefs", function()
   learned_room()
   set_world { confidence = { evidence = 10 } }
   advance(0.7)
@@ -304,7 +304,7 @@ test("purges once after a flip that proved right, however few reflected beliefs 
   expect.state("orientation", "watching/in peace")
 end)
 
-test("asks for more before it flips a pose that has proved right", function()
+test("requires more evidence to flip a confirmed pose", function()
   learned_room()
   set_world { confidence = { evidence = -9 } }
   advance(0.5)
@@ -318,7 +318,7 @@ test("asks for more before it flips a pose that has proved right", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("is in doubt again when earlier views are not valid any more", function()
+test("the pose is unconfirmed again when earlier views are not valid any more", function()
   learned_room()
   set_world { confidence = { evidence = -9 } }
   advance(0.5)
@@ -332,7 +332,7 @@ test("is in doubt again when earlier views are not valid any more", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("an edit of what is asked for changes nothing of the state and counts at once", function()
+test("an edit of the threshold does not change the state and has an effect at once", function()
   learned_room()
   set_world { confidence = { evidence = 4 } }
   advance(2)
@@ -342,7 +342,7 @@ test("an edit of what is asked for changes nothing of the state and counts at on
   expect.command("flip_pose", "granted")
 end)
 
-test("an edit while it settles keeps the time that it has settled", function()
+test("an edit during the waiting time does not restart it", function()
   learned_room()
   set_world { confidence = { evidence = 9 } }
   advance(0.6)
@@ -356,7 +356,7 @@ test("an edit while it settles keeps the time that it has settled", function()
   expect.state("orientation", "watching/in doubt")
 end)
 
-test("a broken edit keeps the previous version running", function()
+test("after an invalid edit the previous version continues to run", function()
   learned_room()
   reload { from = "initial = \"watching\"", to = "initial = \"wathcing\"" }
   expect.refused("did you mean 'watching'?")
@@ -365,7 +365,7 @@ test("a broken edit keeps the previous version running", function()
   expect.command("flip_pose", "granted")
 end)
 
-test("how often a right pose may be flipped can be set", function()
+test("the permitted rate of false flips can be set", function()
   set_param("decision.false_flips", "1")
   learned_room()
   set_world { confidence = { evidence = 3 } }
@@ -373,7 +373,7 @@ test("how often a right pose may be flipped can be set", function()
   expect.command("flip_pose")
 end)
 
-test("does not decide between two poses while the pose filter is lost: both may be wrong", function()
+test("does not decide between the poses while the pose filter is lost, because both may be wrong", function()
   learned_room()
   set_world { confidence = { evidence = 9 }, pose = { recovery_probability = 0.6 } }
   advance(5)

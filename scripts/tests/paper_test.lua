@@ -7,7 +7,7 @@ local function start(behavior)
   advance(0.1)
 end
 
-test("the paper's orientation flips at once when the reflected pose wins, in whatever room", function()
+test("the paper's orientation flips at once when the reflected pose wins, in any room", function()
   start "paper_orientation"
   set_world { confidence = { opposite = 0.4 } }
   advance(0.1)
@@ -47,7 +47,7 @@ test("the paper's orientation resets after a fall", function()
   expect.state("paper_orientation", "watching")
 end)
 
-test("the paper's training turns the robot round until the room is known, then trains online", function()
+test("the paper's training rotates the robot until the room is known, then trains online", function()
   set_world { pose = { known = true } }
   start "paper_training"
   expect.state("paper_training", "learning")
@@ -91,7 +91,7 @@ local function mislead()
   set_world { truth = { x = -3.2, y = -3.5, rotation = math.rad(90) }, pose = { x = -3.2, y = -3.5, rotation = math.rad(90) } }
   advance(40.2)
   expect.action("set_initial_pose")
-  expect.log("told the reflection")
+  expect.log("initial pose: reflection")
   set_world { pose = { x = 3.2, y = 3.5, rotation = math.rad(-90) } }
 end
 

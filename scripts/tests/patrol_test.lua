@@ -22,7 +22,7 @@ test("succeeds when the belief is right after the whole time", function()
   expect.verdict(true, "right in the end; it was wrong for 0.0 s")
 end)
 
-test("says for how long the belief was wrong meanwhile", function()
+test("reports for how long the belief was wrong", function()
   start()
   set_truth(-3.2, -2.9, math.rad(90))
   advance(10)

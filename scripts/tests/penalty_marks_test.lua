@@ -10,7 +10,7 @@ local DISTURBANCES = {
   penalized = { { penalized = true }, { penalized = false } },
 }
 
-test("walks straight to its own mark when it looks there", function()
+test("walks straight to its own mark if it faces it", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   advance(0.1)
@@ -25,7 +25,7 @@ test("turns on the spot when the mark is behind it", function()
   expect.walk(0, 0, 0.6)
 end)
 
-test("goes to the other mark after it was on one", function()
+test("walks to the other mark after it was on one", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, 0.05, 0)
   advance(0.1)
@@ -61,7 +61,7 @@ test("rotates once on a mark while it learns the room", function()
   expect.state("penalty_marks", "on the mark")
 end)
 
-test("looks round while the lines do not fit the pose, but not for ever", function()
+test("rotates on the spot while the lines do not fit the pose, for a limited time", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   set_world { pose = { tracked = false } }
@@ -82,7 +82,7 @@ test("looks round while the lines do not fit the pose, but not for ever", functi
   expect.state("penalty_marks", "walking")
 end)
 
-test("goes to its own mark first after a disturbance", function()
+test("walks to its own mark first after a disturbance", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
   advance(1.2)
@@ -104,7 +104,7 @@ test("goes to its own mark first after a disturbance", function()
   end
 end)
 
-test("goes to its own mark first also when it was lifted from the other one", function()
+test("walks to its own mark first even if it was lifted from the other mark", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
   advance(1.2)
@@ -119,7 +119,7 @@ test("goes to its own mark first also when it was lifted from the other one", fu
   expect.walk(0.2, 0, 0)
 end)
 
-test("a disturbance ends turning round", function()
+test("a disturbance ends the rotation", function()
   load_behavior "penalty_marks"
   set_world { training = { active = true }, confidence = { coverage = 0.3 } }
   stand_at(-3.2, 0, 0)
@@ -148,7 +148,7 @@ test("waits while another behavior searches for the pose, even on a mark", funct
   expect.state("penalty_marks", "on the mark")   -- of its own half, and only now
 end)
 
-test("goes on to the same mark after a goal search", function()
+test("continues to the same mark after a goal search", function()
   load_behavior "goal_search"
   load_behavior "penalty_marks"
   set_world { confidence = { evidence = -9, coverage = 0.9, distinctiveness = 0.3 } }
@@ -179,7 +179,7 @@ test("a fall while it waits is a disturbance", function()
   expect.state("penalty_marks", "disturbed")
 end)
 
-test("an edit of the library counts without losing the way", function()
+test("an edit of the library takes effect without restarting the walk", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, 0, 0)
   advance(1.3)
@@ -189,7 +189,7 @@ test("an edit of the library counts without losing the way", function()
   expect.walk(0.3, 0, 0)
 end)
 
-test("stands as long as the referee does not permit walking", function()
+test("stands while the referee does not permit walking", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   set_world { robot = { may_walk = false } }
@@ -202,7 +202,7 @@ test("stands as long as the referee does not permit walking", function()
   expect.reason("penalty_marks", "the game continues")
 end)
 
-test("stands where the body does not walk", function()
+test("stands if the body cannot walk", function()
   load_behavior "penalty_marks"
   stand_at(-3.2, -3.5, math.rad(90))
   set_world { robot = { can_walk = false } }

@@ -20,7 +20,7 @@ test("flips its belief half a second after its feet touched the ground", functio
   expect.near(world_value("pose.x"), 3.2, 0.5)
 end)
 
-test("waits longer where it is told to", function()
+test("waits longer if hold_time is longer", function()
   replay "recordings/recorded_flip.mcap"
   set_param("orientation.hold_time", "2")
   advance_to(43.90)

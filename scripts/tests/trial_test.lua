@@ -5,7 +5,7 @@
 local function set_truth(x, y, rotation) set_world { truth = { x = x, y = y, rotation = rotation } } end
 local function set_belief(x, y, rotation) set_world { pose = { x = x, y = y, rotation = rotation } } end
 
---- Up to the moment at which something happens, in half a second.
+--- Advances to half a second before the event.
 local function learn(event)
   set_param("trial.event", event)
   set_param("trial.wait_least", "0.5")
@@ -19,14 +19,14 @@ local function learn(event)
   expect.state("trial", "waiting")
 end
 
---- On the ground again, and looked at.
+--- On the ground again, and observed.
 local function stand_at(x, y, rotation)
   set_truth(x, y, rotation)
   advance(0.1)
   expect.state("trial", "measured")
 end
 
-test("carries the robot to the reflection of its belief", function()
+test("places the robot at the reflection of its belief", function()
   learn("mirrored_placement")
   advance(0.5)
   expect.state("trial", "carried")
@@ -48,7 +48,7 @@ test("a belief that stays reflected is wrong in the end", function()
   expect.verdict(false, "180 degrees off")
 end)
 
-test("does nothing to the robot", function()
+test("does nothing to the robot if the event is none", function()
   learn("none")
   advance(0.5)
   stand_at(-3.2, -3.5, math.rad(90))
@@ -57,7 +57,7 @@ test("does nothing to the robot", function()
   expect.verdict(true, "0.00 m")
 end)
 
-test("tells the robot the reflection of where it stands", function()
+test("sets the reflection of the true pose as initial pose", function()
   learn("misled")
   advance(0.5)
   expect.state("trial", "measured")
@@ -65,7 +65,7 @@ test("tells the robot the reflection of where it stands", function()
   expect.action("set_initial_pose")
 end)
 
-test("turns the field's axes at half-time", function()
+test("rotates the field's axes at half-time", function()
   learn("half_time")
   advance(0.5)
   expect.action("half_time")
@@ -77,7 +77,7 @@ test("pushes the robot over", function()
   expect.action("push_over")
 end)
 
-test("takes the robot out of the game and brings it back", function()
+test("removes a penalized robot from the game and returns it", function()
   learn("penalized")
   advance(0.5)
   expect.state("trial", "out of the game")
@@ -89,7 +89,7 @@ test("takes the robot out of the game and brings it back", function()
   expect.action("penalize")
 end)
 
-test("waits as long as chance says", function()
+test("waits for the random time", function()
   set_param("trial.wait_most", "20")
   learn("none")
   expect.state("trial", "waiting")
@@ -97,7 +97,7 @@ test("waits as long as chance says", function()
   expect.state("trial", "measured")
 end)
 
-test("starts on the other side where that is wanted", function()
+test("starts on the opponents' side if the parameter requests it", function()
   set_param("trial.side", "opponent")
   set_param("trial.event", "none")
   load_scenario "trial"

@@ -9,7 +9,7 @@ local function in_doubt()
   advance(0.1)
 end
 
-test("leaves the head to the scan while the room has told enough", function()
+test("leaves the head to the scan while the orientation is confirmed", function()
   in_doubt()
   for _, evidence in ipairs { -9, 9 } do
     set_world { confidence = { evidence = evidence } }
@@ -19,7 +19,7 @@ test("leaves the head to the scan while the room has told enough", function()
   end
 end)
 
-test("leaves it if the room cannot tell the poses apart", function()
+test("leaves it to the scan if the room cannot distinguish the poses", function()
   in_doubt()
   for _, status in ipairs { "off", "resting", "unlearned", "symmetric", "lost" } do
     set_world { confidence = { status = status } }
@@ -28,7 +28,7 @@ test("leaves it if the room cannot tell the poses apart", function()
   end
 end)
 
-test("leaves it where there is nothing to see", function()
+test("leaves it to the scan if no view has information", function()
   in_doubt()
   set_world { views = { best_score = 0 } }
   advance(0.5)
@@ -36,21 +36,21 @@ test("leaves it where there is nothing to see", function()
   expect.reason("wall_gaze", "the orientation is confirmed, or the room has no evidence")
 end)
 
-test("looks where the walls tell most, and then at the next such place", function()
+test("looks at the view with the most information, then at the next best view", function()
   in_doubt()
   expect.state("wall_gaze", "looking")
   expect.reason("wall_gaze", "the orientation is unconfirmed")
   expect.head(-0.7, -0.1)
   set_world { views = { best_yaw = 0.5 } }
   advance(0.3)
-  expect.head(-0.7, -0.1)   -- first things first
+  expect.head(-0.7, -0.1)   -- finishes the first view before the next
   set_world { robot = { head_yaw = -0.68 } }
   advance(0.3)
   expect.reason("wall_gaze", "the view was held long enough")
   expect.head(0.5, -0.1)
 end)
 
-test("looks elsewhere when a place cannot be looked at", function()
+test("looks at another view if the head cannot reach one", function()
   in_doubt()
   set_world { views = { best_yaw = 0.5 } }
   advance(2.1)
@@ -71,17 +71,17 @@ test("looks where most is unknown while the room is learned", function()
   expect.head(0.9, -0.1)
   set_world { robot = { head_yaw = 0.9 }, views = { unknown_yaw = -0.4 } }
   advance(0.3)
-  expect.head(0.9, -0.1)   -- a tile is trusted after a while only
+  expect.head(0.9, -0.1)   -- a tile counts as known only after a while
   advance(0.2)
   expect.reason("wall_gaze", "the view was learned")
   expect.head(-0.4, -0.1)
 end)
 
-test("leaves the head to the scan when what can be seen is known, once the view was held long enough", function()
+test("leaves the head to the scan when the visible tiles are known and the view was held long enough", function()
   learning()
   set_world { views = { unknown_score = 1 } }
   advance(1)
-  expect.state("wall_gaze", "studying")   -- or it would hover between two places
+  expect.state("wall_gaze", "studying")   -- otherwise it would alternate between two views
   set_world { robot = { head_yaw = 0.9 } }
   advance(0.5)
   expect.state("wall_gaze", "resting")
@@ -89,7 +89,7 @@ test("leaves the head to the scan when what can be seen is known, once the view 
   expect.head(1.1, -0.1)
 end)
 
-test("leaves the head to the scan at once when the room is not learned any more", function()
+test("leaves the head to the scan at once when the training has ended", function()
   learning()
   set_world { training = { active = false } }
   advance(0.1)

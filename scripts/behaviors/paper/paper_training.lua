@@ -1,6 +1,7 @@
 --- The training rule of the paper (Sections 3.3, 3.5 and 4): a robot that knows its pose but not the room pauses the
---- evaluation and rotates once to learn it; after that the room is trained online in every frame. Only a fall, a lift or a
---- penalty interrupts it. A wrong belief is learned as well, which causes the paper's 15 % of failures.
+--- evaluation and rotates to learn the room; after that the room is trained online in every frame. Only a fall, a lift or a
+--- penalty interrupts the training. A robot with a wrong belief learns a wrong room, which causes the paper's 15 % of
+--- failures.
 
 -- SPDX-License-Identifier: MIT
 
@@ -33,7 +34,7 @@ behavior "paper_training" {
   state "waiting" {
     enter = function() command.pause_evaluation() end,
     { "training online", when = is_learned, because = "the room is known" },
-    { "learning", when = function() return pose.known end, because = "the pose is known, but the room is not" },
+    { "learning", when = function() return pose.known end, because = "the pose is known, the room is unknown" },
   },
 
   state "learning" {

@@ -159,7 +159,7 @@ constexpr ScriptWord kTest[] = {
      "Whether a behavior requests that the robot gets up.",
      {}},
     {"expect.log(text: string)",
-     "expect.log(\"picked up\")",
+     "expect.log(\"lifted\")",
      "A log line of the last `advance` contains this text.",
      {}},
     {"expect.message(text: string)",
