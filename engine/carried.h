@@ -10,12 +10,12 @@
 
 namespace reorient {
 
-/// In addition, each module has its own memory: the filters, the room, the arbiter (whose last() contains what is
-/// paused), the machines. Until a stage replaces a value, it is that of the previous frame.
+/// In addition, each module has its own memory: the filters, the room, the arbiter (whose last() contains the active
+/// pauses), the machines. Until a stage replaces a value, it is that of the previous frame.
 struct Carried {
   WorldTracker world;
   std::optional<Pose2> odometry{};  ///< dead reckoning, as observed; nothing before the first frame
-  bool asked_to_get_up = false;
+  bool get_up_requested = false;
   ExternalUse external{};
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 double half_diagonal(const FieldDimensions& field) { return 0.5 * pinned::hypot(field.length, field.width); }
 
-/// Scales the wall's distance with the field's corners; its tiles are at the same angles above the eyes.
+/// Scales the wall's distance with the field's corners; its tiles have the same elevation angles above the camera.
 void fit_wall(double distance, double eye, double usual_eye, WallParameters& wall) {
   const auto raised = [&](double height) {
     return height + (eye - usual_eye) + (height - usual_eye) * (distance - 1.0);

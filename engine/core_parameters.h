@@ -32,8 +32,8 @@ struct CoreParameters {
   ArbiterParameters arbiter;
 };
 
-/// The defaults, chosen for a NAO on the Standard Platform League's field, adapted to this body and this
-/// field: ranges of sight and neck, and the distance of the room, are computed from both.
+/// The defaults, chosen for a NAO on the field of the Standard Platform League and adapted to this body and this field:
+/// the ranges of vision and of the neck, and the distance of the room, are computed from both.
 CoreParameters core_parameters_for(const FieldDimensions& field, const RobotBody& body);
 
 /// Declares all `parameters` in the registry, which changes them in place: they must outlive it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which parts of an image do not show the room.
+// The parts of an image that do not show the room.
 #pragma once
 
 #include <vector>

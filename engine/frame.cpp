@@ -48,12 +48,12 @@ std::uint64_t FrameLoop::declare_parameters(const std::vector<ParameterChange>& 
   return registry_.revision();
 }
 
-const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics wanted) {
+const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics requested) {
   const Observation& observation = inputs.observation;
-  record_.filled = Topics::always() | wanted;
+  record_.filled = Topics::always() | requested;
   take_inputs(inputs);
   const BodySample felt = latest_sample(observation);
-  follow_posture(sense_posture(observation, felt, body_, carried_.asked_to_get_up, parameters_.posture, posture_),
+  follow_posture(sense_posture(observation, felt, body_, carried_.get_up_requested, parameters_.posture, posture_),
                  felt);
   const CameraPercepts seen = see_field(observation);
   localize(observation, seen);
@@ -62,7 +62,7 @@ const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics wanted) {
   describe_room();
   const Decision decision = act();
   fill_answer(world(), decision, record_.reorientation, record_.answer);
-  carried_.asked_to_get_up = record_.answer.request.get_up;
+  carried_.get_up_requested = record_.answer.request.get_up;
   carried_.odometry = observation.odometry;
   complete_record(observation, decision);
   return record_;
@@ -180,7 +180,7 @@ void FrameLoop::describe_room() {
   carried_.world.judge_room(parameters_.room_status);
 }
 
-/// From here, belief and room are those after the granted reorientation, if any.
+/// From this stage on, belief and room are those after the granted reorientation, if any.
 Decision FrameLoop::act() {
   const StageTimer timer(record_, Stage::behaviors);
   const Decision decision = decide(world(), record_.inputs.messages, behaviors_, arbiter_);

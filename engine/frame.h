@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One frame from inputs to answer: the order of the stages.
+// One frame from inputs to answer: runs the stages in their order.
 #pragma once
 
 #include <cstdint>
@@ -44,9 +44,9 @@ class FrameLoop {
   FrameLoop(const FrameLoop&) = delete;
   FrameLoop& operator=(const FrameLoop&) = delete;
 
-  /// One frame. `wanted`: requested topics besides those that are always filled. The record is valid until the
+  /// One frame. `requested`: topics besides those that are always filled. The record is valid until the
   /// next call.
-  const FrameRecord& step(const FrameInputs& inputs, Topics wanted = {});
+  const FrameRecord& step(const FrameInputs& inputs, Topics requested = {});
 
   /// Of the last frame; empty before the first.
   const FrameRecord& record() const { return record_; }
@@ -55,7 +55,7 @@ class FrameLoop {
   /// loop that is made from the bytes, in any process of the same program.
   void save(std::vector<std::byte>& state) const;
 
-  // Between frames, for listing and checking.
+  // For use between frames, for lists and checks.
   std::vector<Parameter> parameters() const { return registry_.list(); }
   std::vector<const MachineDefinition*> machines() const { return behaviors_.host().definitions(); }
   const ScriptTexts& scripts() const { return behaviors_.host().texts(); }

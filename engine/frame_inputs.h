@@ -14,7 +14,7 @@ struct FrameInputs {
   Observation observation;
   std::vector<ParameterChange> parameter_changes;
   std::vector<ScriptEdit> script_edits;  ///< texts, not files
-  ExternalInputs external;               ///< from outside the robot's software: an operator, a scenario
+  ExternalInputs external;               ///< from outside the robot's software: the operator or a scenario
 };
 
 }  // namespace reorient

@@ -16,10 +16,10 @@ void FrameLoop::complete_record(const Observation& observation, const Decision& 
   record_.world = world();
   behaviors_.host().read_status(record_.machines);
   behaviors_.host().read_published(record_.published);
-  const ScriptOutput& said = behaviors_.said();
-  record_.transitions.assign(said.transitions.begin(), said.transitions.end());
-  record_.logs.insert(record_.logs.end(), said.logs.begin(), said.logs.end());  // after notes of the operator
-  record_.faults.assign(said.faults.begin(), said.faults.end());
+  const ScriptOutput& output = behaviors_.said();
+  record_.transitions.assign(output.transitions.begin(), output.transitions.end());
+  record_.logs.insert(record_.logs.end(), output.logs.begin(), output.logs.end());  // after notes of the operator
+  record_.faults.assign(output.faults.begin(), output.faults.end());
   record_.commands.assign(decision.arbitration.commands.begin(), decision.arbitration.commands.end());
   record_.begun.assign(decision.arbitration.begun.begin(), decision.arbitration.begun.end());
   record_.leases.assign(behaviors_.leases().begin(), behaviors_.leases().end());

@@ -22,7 +22,7 @@ FrameSetup read_setup(ByteReader& in) {
 template <typename Archive>
 void FrameLoop::archive(Archive& archive, auto& self) {
   archive(self.field_vision_, self.localizer_, self.arbiter_, self.posture_, self.repeated_pose_,
-          self.carried_.asked_to_get_up, self.carried_.external, self.carried_.world, self.carried_.odometry);
+          self.carried_.get_up_requested, self.carried_.external, self.carried_.world, self.carried_.odometry);
   if (self.room_) archive(*self.room_);
 }
 

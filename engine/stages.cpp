@@ -17,9 +17,9 @@ Pose2 moved_since(const CameraFrame& frame, const Observation& observation) {
   return observation.odometry.inverse() * frame.odometry;
 }
 
-/// If another localization has two opposite hypotheses of about equal weight, the engine keeps the one that it
-/// believes. The flip of such a pair is the same pair, which no observation can show. So the engine flips its own
-/// belief.
+/// If an external localization has two opposite hypotheses of about equal weight, the engine continues with the one
+/// that it believes. After a flip such a pair is the same pair, so the observations do not show the flip. So the engine
+/// flips its own belief.
 bool are_equals(const PoseBelief& belief, const PoseClusterParameters& clusters) {
   return belief.cluster_weight <= clusters.lead_to_switch * belief.reflected_weight;
 }
@@ -41,8 +41,8 @@ BodySample latest_sample(const Observation& observation) {
 }
 
 SensedPosture sense_posture(const Observation& observation, const BodySample& latest, const RobotBody& body,
-                            bool asked_to_get_up, const PostureParameters& parameters, PostureEstimator& estimator) {
-  const PostureEstimator::Hints hints{observation.reported_posture, asked_to_get_up};
+                            bool get_up_requested, const PostureParameters& parameters, PostureEstimator& estimator) {
+  const PostureEstimator::Hints hints{observation.reported_posture, get_up_requested};
   for (const BodySample& sample : observation.body_samples) {
     if (sample.time <= observation.time) estimator.update(sample, body.standing_load, hints, parameters);
   }
@@ -180,8 +180,8 @@ ReorientationRecord apply(const CommandRecord& granted, bool is_external, const 
 
 void fill_answer(const World& world, const Decision& decision, const std::optional<ReorientationRecord>& reorientation,
                  Answer& answer) {
-  answer.request = permitted(decision.wanted.request, world);
-  answer.messages = decision.wanted.messages;
+  answer.request = permitted(decision.requests.request, world);
+  answer.messages = decision.requests.messages;
   answer.belief = {world.pose.pose, world.pose.covariance, world.pose_known};
   answer.reorientation.reset();
   if (reorientation) answer.reorientation = reorientation->reorientation;

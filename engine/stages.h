@@ -32,21 +32,21 @@ using CameraPercepts = std::array<CameraPercept, 2>;
 /// The body sample of the observation; a sample without a time gets the observation's time.
 BodySample latest_sample(const Observation& observation);
 
-/// Updates the posture from the body's sensors. `latest`: of the observation. `asked_to_get_up`: by the last answer.
+/// Updates the posture from the body's sensors. `latest`: of the observation. `get_up_requested`: in the last answer.
 SensedPosture sense_posture(const Observation& observation, const BodySample& latest, const RobotBody& body,
-                            bool asked_to_get_up, const PostureParameters& parameters, PostureEstimator& estimator);
+                            bool get_up_requested, const PostureParameters& parameters, PostureEstimator& estimator);
 
 /// Fills in the camera records and the percepts; the result refers to `percepts`. `bias`: of the camera's angles.
 CameraPercepts see_field(const Observation& observation, const World& world, const CameraBias& bias,
                          FieldVision& vision, InputRecord& cameras, FieldPercepts& percepts);
 
-/// The belief of an external localization if given; ours pauses then. If it cannot be read, the last one moves with
-/// the odometry for some time. Nothing: the robot uses its own localization.
+/// The belief of an external localization if given; the engine's own pauses then. If it cannot be read, the last belief
+/// moves with the odometry for some time. Nothing: the engine's own localization is in use.
 std::optional<SensedBelief> read_external_belief(const Observation& observation, const World& last,
                                                  const Pose2& odometry_step, const CoreParameters& parameters,
                                                  ExternalBeliefReader& reader, ExternalUse& external);
 
-/// Inputs of the own localization in this frame. `room`: after the previous frame.
+/// Inputs of the engine's localization in this frame. `room`: after the previous frame.
 LocalizerInputs localizer_inputs(const Observation& observation, const World& world, const Pose2& odometry_step,
                                  const CameraPercepts& seen, const std::optional<RoomAwareness>& room,
                                  const CoreParameters& parameters);
@@ -62,7 +62,7 @@ SensedField summary_of(const FieldPercepts& percepts, const HeadAngles& head);
 /// Requests of the behaviors, and the granted command. Refers to the behaviors' and the arbiter's memory.
 struct Decision {
   const Arbitration& arbitration;
-  const BehaviorOutput& wanted;
+  const BehaviorOutput& requests;
 };
 Decision decide(const World& world, std::span<const Message> heard, Behaviors& behaviors, Arbiter& arbiter);
 
@@ -70,8 +70,8 @@ Decision decide(const World& world, std::span<const Message> heard, Behaviors& b
 void append_poses(const ExternalUse& external, const ExternalBeliefReader& reader, const Localizer& localizer,
                   const Pose2& believed, std::vector<Pose2>& poses);
 
-/// Applies a granted reorientation to the belief and to the confidences. An external localization applies it
-/// itself, or not; the next observations contain its belief.
+/// Applies a granted reorientation to the belief and to the confidences. An external localization may apply it itself;
+/// the next observations contain its belief.
 ReorientationRecord apply(const CommandRecord& granted, bool is_external, const PoseClusterParameters& clusters,
                           Localizer& localizer, std::optional<RoomAwareness>& room, RepeatedPose& repeated_pose,
                           WorldTracker& world);

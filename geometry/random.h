@@ -18,9 +18,9 @@ constexpr std::uint64_t scatter(std::uint64_t value) {
   return value ^ (value >> 31);
 }
 
-/// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream define one sequence. Never draw
-/// two numbers in the arguments of one call or in the operands of one operator: their order of evaluation differs
-/// between processors and compilers. In braces the order is from left to right.
+/// xoshiro256++ (Blackman and Vigna, 2019), seeded by splitmix64. A seed and a stream define one sequence. Never
+/// generate two numbers in the arguments of one call or in the operands of one operator: their order of evaluation
+/// differs between processors and compilers. In braces the order is from left to right.
 class Random {
  public:
   using result_type = std::uint64_t;

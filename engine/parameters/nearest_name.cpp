@@ -30,12 +30,12 @@ int edit_distance(std::string_view left, std::string_view right) {
 namespace {
 
 /// The shortest known name with this prefix: "flip_pose" for "flip".
-std::optional<std::string> longer_name(std::string_view wanted, std::span<const std::string> known) {
+std::optional<std::string> longer_name(std::string_view text, std::span<const std::string> known) {
   constexpr std::size_t kShortest = 3;
-  if (wanted.size() < kShortest) return std::nullopt;
+  if (text.size() < kShortest) return std::nullopt;
   const std::string* best = nullptr;
   for (const std::string& name : known) {
-    const bool is_longer = name.size() > wanted.size() && name.starts_with(wanted);
+    const bool is_longer = name.size() > text.size() && name.starts_with(text);
     if (is_longer && (best == nullptr || name.size() < best->size())) best = &name;
   }
   return best == nullptr ? std::nullopt : std::optional(*best);
@@ -43,25 +43,25 @@ std::optional<std::string> longer_name(std::string_view wanted, std::span<const 
 
 }  // namespace
 
-std::optional<std::string> nearest_name(std::string_view wanted, std::span<const std::string> known) {
+std::optional<std::string> nearest_name(std::string_view text, std::span<const std::string> known) {
   constexpr std::size_t kLongest = 80;  // longer texts are not typing errors
-  if (wanted.empty() || wanted.size() > kLongest) return std::nullopt;
+  if (text.empty() || text.size() > kLongest) return std::nullopt;
   constexpr int kFar = std::numeric_limits<int>::max();
-  const int tolerated = std::max(1, static_cast<int>(wanted.size()) / 3);
+  const int tolerated = std::max(1, static_cast<int>(text.size()) / 3);
   const std::string* best = nullptr;
   int best_distance = tolerated + 1;
-  const auto length_difference = [wanted](const std::string& name) {
-    return std::max(name.size(), wanted.size()) - std::min(name.size(), wanted.size());
+  const auto length_difference = [text](const std::string& name) {
+    return std::max(name.size(), text.size()) - std::min(name.size(), text.size());
   };
   for (const std::string& name : known) {
     if (name.size() > kLongest) continue;
     // A difference in length is a lower bound of the distance.
     const bool may_be_near = length_difference(name) <= static_cast<std::size_t>(tolerated);
-    int distance = may_be_near ? edit_distance(wanted, name) : kFar;
+    int distance = may_be_near ? edit_distance(text, name) : kFar;
     // Recognize a name without its prefix: "lingering" for "orientation.lingering".
     const std::size_t dot = name.rfind('.');
-    if (dot != std::string::npos && wanted.find('.') == std::string_view::npos) {
-      distance = std::min(distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)));
+    if (dot != std::string::npos && text.find('.') == std::string_view::npos) {
+      distance = std::min(distance, edit_distance(text, std::string_view(name).substr(dot + 1)));
     }
     // Of two equally near names, prefer the one of equal length.
     const bool is_better = distance < best_distance || (best != nullptr && distance == best_distance &&
@@ -72,11 +72,11 @@ std::optional<std::string> nearest_name(std::string_view wanted, std::span<const
     }
   }
   if (best != nullptr) return *best;
-  return longer_name(wanted, known);
+  return longer_name(text, known);
 }
 
-std::string did_you_mean(std::string_view wanted, std::span<const std::string> known) {
-  const std::optional<std::string> name = nearest_name(wanted, known);
+std::string did_you_mean(std::string_view text, std::span<const std::string> known) {
+  const std::optional<std::string> name = nearest_name(text, known);
   return name ? " (did you mean '" + *name + "'?)" : std::string();
 }
 

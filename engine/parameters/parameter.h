@@ -17,7 +17,7 @@ constexpr int enum_count(ParameterKind) { return 4; }
 /// In the order of ParameterKind; a choice is its name.
 using ParameterValue = std::variant<double, int, bool, std::string>;
 
-/// Origin of a value. A later one outranks an earlier one: a file never replaces a value of the command line.
+/// Origin of a value. A later origin has precedence: a file never replaces a value of the command line.
 enum class ParameterOrigin { default_value, file, command_line, live };
 constexpr int enum_count(ParameterOrigin) { return 4; }
 

@@ -32,7 +32,7 @@ class ParameterRegistry {
   /// library). Clamps overrides that are out of range and returns one line about each.
   std::vector<std::string> declare_for(const std::string& owner, const std::vector<ParameterDeclaration>& declarations);
 
-  /// Returns false if the value comes from a stronger origin (ParameterOrigin) and stays. Throws std::runtime_error
+  /// Returns false if the value has an origin with precedence (ParameterOrigin) and stays. Throws std::runtime_error
   /// with one line if the name is unknown, or the text is of a wrong type or out of range.
   bool set(std::string_view name, std::string_view text, ParameterOrigin origin);
 
@@ -53,7 +53,7 @@ class ParameterRegistry {
 
   /// Throws with one line if an override of this name does not fit the declaration.
   void check_override(const ParameterDeclaration& declaration) const;
-  /// Whether the program itself declared this name, so that no script can.
+  /// Whether the program itself declared this name, so that a script must not declare it.
   bool belongs_to_program(std::string_view name) const;
 
   /// Changes with each change of a value.

@@ -52,7 +52,7 @@ struct InputRecord {
   std::optional<HeadCamera> room_camera;    ///< camera used for the room; nothing: no camera
   std::optional<InitialPose> initial_pose;  ///< as it was set
   std::vector<Message> messages;            ///< of teammates
-  bool half_time = false;  ///< the teams changed sides before this frame, so all of it is in the new axes
+  bool half_time = false;  ///< the teams changed sides before this frame, so all its values are in the new axes
 };
 template <typename Visit, ConstOr<InputRecord> T>
 void fields(Visit&& visit, T& in) {
@@ -172,8 +172,8 @@ struct FrameRecord {
 
   const std::string& name(NameId id) const { return (*names)[id]; }
 
-  /// Copies the images' pixels into the record, so that it outlives the robot's frame. Call it for a copy of a record,
-  /// too, while the original exists.
+  /// Copies the images' pixels into the record, so that it outlives the robot's frame. For a copy of a record, call it
+  /// while the original exists.
   void own_images();
 };
 

@@ -48,10 +48,10 @@ void write_topic(const FrameRecord& record, Topic topic, std::vector<std::byte>&
   visit_topic(writer, topic, record);
 }
 
-void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted,
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics requested,
                   std::vector<std::size_t>* places) {
   ByteWriter writer(bytes);
-  const Topics written = record.filled & wanted;
+  const Topics written = record.filled & requested;
   writer(kRecordMagic, written, *record.names);
   if (places != nullptr) places->assign(1, bytes.size());
   for (const TopicInfo& row : kTopics) {

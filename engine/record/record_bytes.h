@@ -11,9 +11,9 @@
 
 namespace reorient {
 
-/// Appends the record: of the filled topics those in `wanted`, with the names that they use. `places`:
+/// Appends the record: of the filled topics those in `requested`, with the names that they use. `places`:
 /// the offsets in `bytes` at which the first topic begins and each topic ends.
-void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics wanted = Topics::all(),
+void write_record(const FrameRecord& record, std::vector<std::byte>& bytes, Topics requested = Topics::all(),
                   std::vector<std::size_t>* places = nullptr);
 
 /// A record with its own memory. Throws BadBytes if the bytes are invalid or of another version.

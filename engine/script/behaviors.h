@@ -24,7 +24,7 @@ class Behaviors {
   /// Each behavior reads this world, the other behaviors' states at the start of the frame, and the messages of
   /// teammates since the last frame.
   void tick(const World& world, std::span<const Message> heard = {}) {
-    language_.actions().hear(heard);
+    language_.actions().set_messages(heard);
     values_.clear();
     append_world(world, values_);
     said_ = &host_.tick(world.time, values_);

@@ -237,7 +237,7 @@ void Script::begin_frame(std::span<const double> world) {
 void Script::push_function(int function) { lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function); }
 
 bool Script::holds(Machine& machine, int state, int function) {
-  language_.actions().speak(&machine, state, ScriptActions::Phase::looking);
+  language_.actions().set_running(&machine, state, ScriptActions::Phase::evaluating);
   push_function(function);
   if (std::optional<ScriptFault> fault = sandbox_.call(0, 1)) throw ScriptError(std::move(*fault));
   const bool result = lua_toboolean(sandbox_.state(), -1) != 0;
@@ -249,7 +249,7 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
   if (dwell.kind == Dwell::Kind::seconds) return dwell.seconds;
   if (dwell.kind == Dwell::Kind::parameter)
     return declarations_->parameters[static_cast<std::size_t>(dwell.index)].number;
-  language_.actions().speak(&machine, state, ScriptActions::Phase::looking);
+  language_.actions().set_running(&machine, state, ScriptActions::Phase::evaluating);
   push_function(dwell.index);
   if (std::optional<ScriptFault> fault = sandbox_.call(0, 1)) throw ScriptError(std::move(*fault));
   const bool is_number = lua_type(sandbox_.state(), -1) == LUA_TNUMBER;
@@ -266,7 +266,7 @@ double Script::seconds(Machine& machine, int state, const Dwell& dwell) {
 
 void Script::run(Machine& machine, int state, int function) {
   if (function == LUA_NOREF) return;
-  language_.actions().speak(&machine, state, ScriptActions::Phase::acting);
+  language_.actions().set_running(&machine, state, ScriptActions::Phase::acting);
   push_function(function);
   if (std::optional<ScriptFault> fault = sandbox_.call(0, 0)) throw ScriptError(std::move(*fault));
 }

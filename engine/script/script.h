@@ -49,14 +49,15 @@ class Script : public MachineCallbacks {
 
   /// Before the machines tick: the frame's world, changed parameters, a new budget.
   void begin_frame(std::span<const double> world);
-  void end_frame() { language_.actions().fall_silent(); }
+  void end_frame() { language_.actions().clear_running(); }
   /// Errors in `exit` since the frame began.
   std::vector<ScriptFault>& exit_faults() { return exit_faults_; }
 
   using Memory = std::map<std::string, KeptTable>;
   /// The `keep` memory of all its files. `left_out` names values that could not be stored.
   Memory memory(std::vector<std::string>& left_out) const;
-  /// Takes over what another version kept and removed. Values declared only here keep their initial value.
+  /// Takes over the kept values of another version and removes the keys that it removed. Values that only this version
+  /// declares have their initial value.
   void take_over(const Script& before, std::vector<std::string>& left_out);
   /// Replaces the memory of this newly loaded script with the memory of the same version.
   void restore(const Memory& memory);
@@ -89,7 +90,7 @@ class Script : public MachineCallbacks {
   Sandbox sandbox_;
   std::unique_ptr<WorldTables> world_;
   std::unique_ptr<Declarations> declarations_;
-  Memory known_;  ///< all that was in its memory after loading or taking over, to find what it removed
+  Memory known_;  ///< its memory after loading or taking over, to find the keys that it removes later
   std::uint64_t parameter_revision_ = 0;
   std::vector<ScriptFault> exit_faults_;
   int loaded_ = LUA_NOREF;  ///< table of the modules required so far

@@ -67,8 +67,7 @@ void ScriptHost::refuse_taken_names(const ScriptSlot& slot, const Script& script
   }
 }
 
-/// Passes all data of the engine to another version of the script, which replaces the current
-/// one. Returns warnings.
+/// Replaces the current version of the script with another one, which takes over its data. Returns warnings.
 std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<Script>& script) {
   std::vector<std::string> warnings = parameters_.declare_for(slot.file, script->parameters());
   if (slot.script) {
@@ -134,7 +133,7 @@ std::vector<ReloadRecord> ScriptHost::apply(std::span<const ScriptEdit> edits) {
   return reports;
 }
 
-/// Only those that are in use now.
+/// Numbers only the names that are in use now.
 void ScriptHost::renew_names() {
   const std::shared_ptr<const NameTable> before = names_.table();
   names_.clear();
@@ -187,8 +186,8 @@ void ScriptHost::tick(ScriptSlot& slot, std::span<const double> world) {
   note_faults(slot, std::move(faults));
 }
 
-/// Of one frame and one version: errors of a version in its last frame do not count against the
-/// version that replaced it.
+/// Records the faults of one frame and one version. Errors of a version in its last frame do not count against the
+/// version that replaces it.
 void ScriptHost::note_faults(ScriptSlot& slot, std::vector<ScriptFault> faults) {
   bool has_ended = false;
   for (ScriptFault& fault : faults) {
@@ -199,7 +198,7 @@ void ScriptHost::note_faults(ScriptSlot& slot, std::vector<ScriptFault> faults) 
   }
 }
 
-/// Too many errors end this version: the last good one takes over, or the script is stopped.
+/// After too many errors the last good version replaces this one, or the script is stopped.
 FaultRecord::Consequence ScriptHost::count_fault(ScriptSlot& slot, const ScriptFault& fault) {
   if (time_ - slot.last_error_at > limits_.error_window) slot.recent_errors = 0;
   ++slot.errors;

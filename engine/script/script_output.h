@@ -54,7 +54,7 @@ struct ReloadRecord {
   std::string script;                 ///< file, from the scripts' root
   bool accepted = false;              ///< false: the previous version keeps running
   ScriptFault fault;                  ///< if it was not accepted
-  std::vector<std::string> warnings;  ///< removed states, clamped parameters, memory that was not kept
+  std::vector<std::string> warnings;  ///< removed states, clamped parameters, values that cannot be stored
 };
 template <typename Visit, ConstOr<ReloadRecord> T>
 void fields(Visit&& visit, T& record) {

@@ -20,8 +20,8 @@ struct ScriptSlot {
     std::string_view seen_state;  ///< at the start of the frame
     double seen_entered_at = 0.0;
 
-    /// The previous version's state at the start of the frame, since its texts are destroyed with it; the current state
-    /// if that state was removed.
+    /// Takes over the state that the previous version had at the start of the frame, as a text of this version; the
+    /// current state if that state was removed.
     void see_as(const Running& before) {
       const int same = machine.definition().find(std::string(before.seen_state));
       seen_state = same < 0 ? machine.state() : machine.definition().states[static_cast<std::size_t>(same)].path;

@@ -15,8 +15,8 @@
 
 namespace reorient {
 
-/// Bytes. Lua's parser takes quadratic time for some texts (thousands of `goto`s), and a reload happens within a
-/// frame.
+/// Bytes. A limit is necessary because a reload happens within a frame, and Lua's parser takes quadratic time for some
+/// texts (thousands of `goto`s).
 inline constexpr std::size_t kLargestScript = 64 * 1024;
 
 /// The content of a file, or why it cannot be used.
@@ -81,7 +81,7 @@ std::uint64_t content_hash(const ScriptTexts& texts);
 /// "lib.walk" as "lib/walk.lua"; nothing if it is not a module name.
 std::optional<std::string> module_file(std::string_view module);
 
-/// "behaviors/orientation.lua" from "orientation"; a name that ends in .lua stays as it is.
+/// "behaviors/orientation.lua" from "orientation"; a name that ends in .lua is returned unchanged.
 std::string script_file(std::string_view folder, std::string_view name);
 
 }  // namespace reorient

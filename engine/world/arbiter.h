@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// After a reorientation was granted, the same one is refused for some time, so that its effect shows first.
+/// After a reorientation was granted, the same one is refused for some time, until its effect can be observed.
 struct ArbiterParameters {
   double flip_cooldown = 3.0;   // s
   double purge_cooldown = 3.0;  // s

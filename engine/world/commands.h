@@ -13,7 +13,7 @@ namespace reorient {
 /// "flip_pose", "purge_reflection", "reset_orientation": the names in scripts.
 std::string_view to_string(Reorientation reorientation);
 
-/// What stops while the state that requested it is active.
+/// The process that stops while the state that requested the pause is active.
 enum class Pause { training, evaluation };
 constexpr int enum_count(Pause) { return 2; }
 

@@ -23,9 +23,8 @@ struct ExternalBeliefParameters {
 template <typename Visit>
 void describe(ExternalBeliefParameters& p, Visit&& visit) {
   visit("patience", p.patience, 0.0, 60.0, "s",
-        "how long the last belief of the external localization moves with the odometry if no belief can be read; then "
-        "the "
-        "robot continues with its own localization");
+        "time for which the last belief of the external localization moves with the odometry if no belief can be "
+        "read; then the robot continues with its own localization");
 }
 
 /// Whether the external localization is in use; passed from frame to frame.
@@ -42,12 +41,12 @@ class ExternalBeliefReader {
  public:
   explicit ExternalBeliefReader(const FieldDimensions& field);
 
-  /// `last`: the previous belief; among several clusters of particles, its cluster is preferred as in our pose filter.
+  /// `last`: the previous belief; among several clusters of particles its cluster is preferred, as in the pose filter.
   /// Nothing: no belief, or one with values that are not finite or negative.
   std::optional<PoseBelief> read(const std::optional<ExternalBelief>& external, const PoseBelief& last,
                                  const PoseClusterParameters& parameters);
 
-  /// Of the last belief: its particles, or the pose if it had none. Empty: it could not be read.
+  /// Particles of the last belief, or its pose if it has no particles. Empty: it could not be read.
   const std::vector<Pose2>& poses() const { return poses_; }
 
  private:

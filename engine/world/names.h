@@ -57,7 +57,7 @@ class Names {
   const std::shared_ptr<const NameTable>& table() const { return table_; }
   std::size_t size() const { return table_->names.size(); }
 
-  /// For a script host that renumbers all names: after many edits most belong to removed states.
+  /// For a script host that renumbers all names, because after many edits most names belong to removed states.
   void clear() { table_ = std::make_shared<NameTable>(); }
   static constexpr std::size_t kMany = 8192;  ///< number of names at which to renumber
   static constexpr std::size_t kMost = 65535;

@@ -12,7 +12,7 @@ namespace reorient {
 namespace {
 
 constexpr double kLongestStep = 0.2;    // s; after a longer gap the motion in it is unknown
-constexpr double kClockReset = 1.0;     // s; a time that far back means that the clock was reset
+constexpr double kClockReset = 1.0;     // s; a step back by more than this means that the clock was reset
 constexpr double kUprightAngle = 0.3;   // rad; largest tilt of a standing robot
 constexpr double kImpactTime = 0.05;    // s, duration of an impact in the gyroscopes
 constexpr double kBiasTime = 5.0;       // s, time constant of the estimate of the accelerometer's error
@@ -126,7 +126,7 @@ Posture PostureEstimator::next(double tilt, bool feet_feel, const Hints& hints, 
       if (!hints.gets_up && standing_for_ > p.upright_time && is_lifted) return Posture::lifted;
       return standing_for_ > p.upright_time && carries_itself ? Posture::upright : Posture::getting_up;
     case Posture::lifted:
-      // A lifted robot can have any attitude; it lies only after it has come to rest.
+      // A lifted robot can have any attitude; it counts as lying only after it has come to rest.
       if (lies) return still_for_ > p.still_time ? Posture::lying : Posture::lifted;
       if (feet_feel) {
         if (tipping_ > p.falling_rate && tilt > p.falling_angle) return Posture::falling;

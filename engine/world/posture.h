@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The posture of the robot, estimated from its inertial unit, foot sensors if it has them, and the posture that it
-// reports itself.
+// Estimates the posture of the robot from its inertial unit, its foot sensors (if any), and the posture that it
+// reports.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace reorient {
 /// A penalty is not a posture: the referee reports it, although it often comes with a lift.
 enum class Posture {
   upright,     ///< on its feet: only then the camera's pose can be computed from them
-  falling,     ///< on its way down
-  lying,       ///< down
-  getting_up,  ///< on its way up, by itself
+  falling,     ///< tipping over
+  lying,       ///< on the ground
+  getting_up,  ///< moving to its feet by itself
   lifted       ///< in the operator's hands
 };
 inline constexpr int kPostures = 5;
@@ -24,7 +24,7 @@ constexpr int enum_count(Posture) { return kPostures; }
 /// "getting_up": the name in scripts.
 std::string_view to_string(Posture posture);
 
-/// Falling, lying or on its way up.
+/// Falling, lying or getting up.
 constexpr bool is_down(Posture posture) { return posture != Posture::upright && posture != Posture::lifted; }
 
 struct PostureParameters {

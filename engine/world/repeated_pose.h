@@ -21,9 +21,9 @@ void describe(RepeatedPoseParameters& p, Visit&& visit) {
         "rotated by 180 degrees; 0: never");
 }
 
-/// Set poses and flips, in their order. A robot whose room was learned mirrored flips every correct pose that is set.
-/// A single flip does not show this, since it may correct a wrong pose; an operator who sees the flip and sets the pose
-/// again does.
+/// Stores the last set pose and its flip. A robot whose room was learned mirrored flips every correct pose that is set.
+/// A single flip does not show this, since it may correct a wrong pose. If the operator sees the flip and sets the pose
+/// again, the flip was wrong.
 class RepeatedPose {
  public:
   void note_flip(double time) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether the confidences can distinguish the believed pose from its reflection, and if not, why not: decided here
-// once for all behaviors.
+// Decides once for all behaviors whether the confidences can distinguish the believed pose from its reflection, and the
+// reason if not.
 #pragma once
 
 #include <string_view>

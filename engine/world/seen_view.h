@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera's direction from the room alone: a heading for a pose filter that is lost.
+// The camera's direction from the room alone, which gives a lost pose filter a heading.
 #pragma once
 
 #include <algorithm>

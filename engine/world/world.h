@@ -71,7 +71,7 @@ struct World {
   int line_points = 0;
   int intersections = 0;
   bool ball = false;           ///< seen in this frame
-  double ball_distance = 0.0;  ///< m, along the ground; 0 where it is not seen
+  double ball_distance = 0.0;  ///< m, along the ground; 0 if no ball is seen
   double ball_bearing = 0.0;   ///< rad, to the left of straight ahead
   FieldDimensions field;
 

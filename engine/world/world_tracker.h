@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Updates the world that behaviors read from observations. The engine and the fake world of scripted tests share these
-// rules, so that no scripted test passes for a world that the engine never produces.
+// Updates the world that behaviors read from observations. The engine and the simulated world of scripted tests use the
+// same rules, so that no scripted test passes for a world that the engine never produces.
 #pragma once
 
 #include <optional>
@@ -70,7 +70,7 @@ class WorldTracker {
 
   /// The belief after a reorientation. After a reset the orientation is not known; a flip or a purge confirms it.
   void take_reorientation(Reorientation reorientation, const PoseBelief& after);
-  /// The same if the belief is external, and the engine reorients its own copy of it.
+  /// As take_reorientation() if the belief is external and the engine reorients its own copy.
   void take_flip(const PoseBelief& after) { world_.pose = after; }
 
   /// Sets the training time of the background model, before this run or with another wall: s.

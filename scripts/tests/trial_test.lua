@@ -48,7 +48,7 @@ test("a belief that stays reflected is wrong in the end", function()
   expect.verdict(false, "180 degrees off")
 end)
 
-test("does nothing to the robot if the event is none", function()
+test("does nothing to the robot without an event", function()
   learn("none")
   advance(0.5)
   stand_at(-3.2, -3.5, math.rad(90))

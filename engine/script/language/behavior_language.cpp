@@ -15,10 +15,10 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
   using A = BehaviorActions;
   static const std::vector<ScriptFunction> functions{
       script_function<&A::flip_pose>("command.flip_pose", {},
-                                     "Requests that the belief be replaced with its reflection in this frame."),
+                                     "Requests that the mirrored pose replace the believed pose in this frame."),
       script_function<&A::purge_reflection>(
           "command.purge_reflection", {},
-          "Requests that the particles near the reflected pose be removed in this frame."),
+          "Requests that the particles near the mirrored pose be removed in this frame."),
       script_function<&A::reset_orientation>(
           "command.reset_orientation", {},
           "Requests in this frame that the orientation become unknown; the position does not change."),
@@ -28,12 +28,12 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
                                             "Pauses the evaluation of the room until the calling state is left."),
       script_function<&A::look>(
           "head.look", {"yaw", "pitch", "speed"},
-          "Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Lasts one frame."),
+          "Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Valid for one frame."),
       script_function<&A::walk_with>("walk.velocity", {"forward", "left", "turn"},
-                                     "Walks with this velocity (m/s, m/s, rad/s to the left). Lasts one frame."),
-      script_function<&A::stand>("walk.stand", {}, "Stands still; counts as a walk request. Lasts one frame."),
-      script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Lasts one frame."),
-      script_function<&A::heard>("team.heard", {}, "Number of messages from teammates in this frame."),
+                                     "Walks with this velocity (m/s, m/s, rad/s to the left). Valid for one frame."),
+      script_function<&A::stand>("walk.stand", {}, "Stands still; counts as a walk request. Valid for one frame."),
+      script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Valid for one frame."),
+      script_function<&A::heard>("team.heard", {}, "Number of messages received from teammates in this frame."),
       script_function<&A::sender_of>("team.sender", {"which"},
                                      "Player number of the sender of this message (1 is the first message)."),
       script_function<&A::text_of>("team.text", {"which"},
@@ -73,7 +73,7 @@ void BehaviorActions::pause(Pause pause) {
 
 void BehaviorActions::look(double yaw, double pitch, std::optional<double> speed) {
   require_acting();
-  if (speed && *speed <= 0.0) throw std::runtime_error("head.look: speed must be more than 0 rad/s");
+  if (speed && *speed <= 0.0) throw std::runtime_error("head.look: expected a speed above 0 rad/s");
   const double priority = machine().definition().priority;
   if (!(priority > head_priority_)) return;
   head_priority_ = priority;
@@ -108,10 +108,10 @@ void BehaviorActions::send(std::string_view text) {
   require_acting();
   if (text.size() > kLongestMessage)
     throw std::runtime_error("message has " + std::to_string(text.size()) + " bytes (expected at most 240)");
-  if (text.find('\0') != std::string_view::npos) throw std::runtime_error("message contains a zero byte");
+  if (text.find('\0') != std::string_view::npos) throw std::runtime_error("expected a message without zero bytes");
   if (sender_ != &machine()) sent_ = 0;
   sender_ = &machine();
-  if (sent_++ >= kMost) throw std::runtime_error("too many messages in one frame: at most 8");
+  if (sent_++ >= kMost) throw std::runtime_error("too many messages in one frame (expected at most 8)");
   output_.messages.emplace_back(text);
 }
 

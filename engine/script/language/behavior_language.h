@@ -28,7 +28,7 @@ class BehaviorActions : public ScriptActions {
   void begin_frame(ScriptOutput& output, double time) override;
   const BehaviorOutput& output() const { return output_; }
   /// Sets the messages of the next frame, which must outlive it.
-  void hear(std::span<const Message> messages) { heard_ = messages; }
+  void set_messages(std::span<const Message> messages) { heard_ = messages; }
 
   // command
   void flip_pose() { reorient_by(Reorientation::flip_pose); }

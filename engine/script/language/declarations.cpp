@@ -55,7 +55,8 @@ std::string raw_text(lua_State* L, int table, const char* name) {
   const int type = raw_field(L, table, name);
   if (type == LUA_TSTRING) text = lua_tostring(L, -1);
   lua_pop(L, 1);
-  if (type != LUA_TSTRING && type != LUA_TNIL) throw std::runtime_error(std::string(name) + " must be a string");
+  if (type != LUA_TSTRING && type != LUA_TNIL)
+    throw std::runtime_error(std::string(name) + ": expected a string, found a " + lua_typename(L, type));
   return text;
 }
 
@@ -69,7 +70,7 @@ void check_keys(lua_State* L, int table, const std::vector<std::string>& known) 
   }
 }
 
-/// Rejects keys of other types of parameters, which would have no effect here.
+/// Rejects keys that are only for parameters of other types.
 void refuse_keys(lua_State* L, int table, const std::string& what, std::initializer_list<const char*> keys) {
   for (const char* const key : keys) {
     const int type = raw_field(L, table, key);

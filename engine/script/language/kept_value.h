@@ -32,7 +32,7 @@ struct KeptValue {
 };
 
 /// The plain values of the table at `index`, without those that cannot be stored (functions, recursive tables, more
-/// than the remaining `bytes`, which are reduced); `left_out` names the first such keys.
+/// than the remaining `bytes`; the size of each stored value is subtracted). `left_out` gets the first such keys.
 KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std::string>& left_out);
 
 /// The part of `known` that is no longer in the table at `index`. A missing key has a plain value; a table that still

@@ -93,8 +93,9 @@ void MachineReader::read(int table, int line) {
 }
 
 void MachineReader::read_state(int table, int state, SourceLocations::Table& place) {
-  if (++depth_ > kDeepestNesting) throw std::runtime_error("states nest too deeply");
-  luaL_checkstack(lua_, 8, "states nest too deeply");
+  if (++depth_ > kDeepestNesting)
+    throw std::runtime_error("states are nested too deeply (expected at most " + std::to_string(kDeepestNesting) + ")");
+  luaL_checkstack(lua_, 8, "states are nested too deeply");
   StateDefinition& definition = machine_.states[state];
   definition.initial_name = read_text(table, "initial");
   definition.enter = read_function(table, "enter");
@@ -128,7 +129,8 @@ void MachineReader::read_item(int item, int state, SourceLocations::Table& place
 }
 
 void MachineReader::read_inner_state(int item, int parent) {
-  if (machine_.states.size() >= kMostStates) throw std::runtime_error("too many states");
+  if (machine_.states.size() >= kMostStates)
+    throw std::runtime_error("too many states (expected at most " + std::to_string(kMostStates) + ")");
   const Here outside = here_;
   lua_rawgetp(lua_, item, &kStateFile);
   lua_rawgetp(lua_, item, &kStateLine);
@@ -171,7 +173,8 @@ void MachineReader::read_common(int table, int state, SourceLocations::Table& pl
 }
 
 void MachineReader::read_transition(int table, int state, bool common, SourceLocations::Table& place) {
-  if (machine_.transitions.size() >= kMostTransitions) throw std::runtime_error("too many transitions");
+  if (machine_.transitions.size() >= kMostTransitions)
+    throw std::runtime_error("too many transitions (expected at most " + std::to_string(kMostTransitions) + ")");
   const TextPosition outside = here_.position;
   TransitionDefinition transition;
   transition.from = state;
@@ -194,7 +197,8 @@ void MachineReader::read_transition(int table, int state, bool common, SourceLoc
   here_.position = outside;
 }
 
-/// Lua knows where functions were defined, but not tables. Empty: the file that is being read, or an unknown one.
+/// File of the functions that made a transition, since Lua has positions of functions, but not of tables. Empty: the
+/// file that is being read, or unknown.
 std::string MachineReader::maker_of(int transition) {
   for (const char* const key : {"when", "lasting", "after"}) {
     if (raw_field(lua_, transition, key) != LUA_TFUNCTION) {
@@ -258,13 +262,14 @@ int MachineReader::read_function(int table, const char* key) {
 std::string MachineReader::read_text(int table, const char* key) {
   std::string text;
   const int type = raw_field(lua_, table, key);
-  if (type != LUA_TNIL && type != LUA_TSTRING) note_at(key, std::string(key) + " must be a string");
+  if (type != LUA_TNIL && type != LUA_TSTRING)
+    note_at(key, std::string(key) + ": expected a string, found a " + lua_typename(lua_, type));
   if (type == LUA_TSTRING) text = lua_tostring(lua_, -1);
   lua_pop(lua_, 1);
   return text;
 }
 
-/// Must be an identifier: scripts write `published.NAME`.
+/// The name must be an identifier, because scripts write `published.NAME`.
 std::string MachineReader::read_flag(int table) {
   std::string flag = read_text(table, "publishes");
   const auto fits = [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };

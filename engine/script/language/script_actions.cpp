@@ -6,11 +6,11 @@ namespace reorient {
 void ScriptActions::require_acting() const {
   if (phase_ == Phase::loading)
     throw std::runtime_error("actions are not allowed while a script is loaded; use them in enter, update or exit");
-  if (phase_ == Phase::looking)
+  if (phase_ == Phase::evaluating)
     throw std::runtime_error("actions are not allowed in a condition; use them in enter, update or exit");
 }
 
-void ScriptActions::speak(Machine* machine, int state, Phase phase) {
+void ScriptActions::set_running(Machine* machine, int state, Phase phase) {
   if (machine != nullptr && machine != counted_) {
     counted_ = machine;
     logged_ = acted_ = 0;
@@ -22,7 +22,7 @@ void ScriptActions::speak(Machine* machine, int state, Phase phase) {
 
 void ScriptActions::count_action() {
   if (acted_++ >= kMostPerFrame)
-    throw std::runtime_error("too many actions in one frame: at most " + std::to_string(kMostPerFrame));
+    throw std::runtime_error("too many actions in one frame (expected at most " + std::to_string(kMostPerFrame) + ")");
 }
 
 Issuer ScriptActions::issuer() const {

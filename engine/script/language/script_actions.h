@@ -17,7 +17,7 @@ namespace reorient {
 /// after the other.
 class ScriptActions {
  public:
-  enum class Phase { loading, looking, acting };  ///< looking: a `when` is evaluated, which must not act
+  enum class Phase { loading, evaluating, acting };  ///< evaluating: in a `when`, which must not act
 
   virtual ~ScriptActions() = default;
 
@@ -29,10 +29,11 @@ class ScriptActions {
   }
 
   /// Sets the machine and state that run from now on.
-  void speak(Machine* machine, int state, Phase phase);
-  void fall_silent() { speak(nullptr, 0, Phase::loading); }
+  void set_running(Machine* machine, int state, Phase phase);
+  void clear_running() { set_running(nullptr, 0, Phase::loading); }
 
-  /// Log lines, and commands or actions, per machine, so that a runaway machine does not block the others.
+  /// Limit of log lines, and of commands or actions, of each machine, so that a runaway machine does not block the
+  /// others.
   static constexpr std::size_t kMostPerFrame = 100;
 
   void inform(std::string_view text) { log(text, false); }
@@ -41,7 +42,7 @@ class ScriptActions {
 
  protected:
   void require_acting() const;
-  /// Throws if a machine has done too much in this frame.
+  /// Throws if a machine exceeds kMostPerFrame.
   void count_action();
   Machine& machine() const { return *machine_; }
   int state() const { return state_; }
@@ -57,8 +58,8 @@ class ScriptActions {
   int state_ = 0;
   Phase phase_ = Phase::loading;
 
-  const Machine* counted_ =
-      nullptr;  ///< the machine whose log lines and actions are counted; machines tick in sequence
+  /// The machine whose log lines and actions are counted; machines tick in sequence.
+  const Machine* counted_ = nullptr;
   std::size_t logged_ = 0;
   std::size_t acted_ = 0;
 };

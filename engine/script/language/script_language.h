@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one type of script can read and do, declared once: the bindings, the reference page, the checks and the
-// editor annotations are generated from it.
+// The fields and functions of one type of script, declared once: the bindings, the reference page, the checks and
+// the editor annotations are generated from it.
 #pragma once
 
 #include <limits>

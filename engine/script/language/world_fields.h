@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What behaviors see of the world, declared once: the Lua tables, the reference page and the editor annotations are
-// all made from this list.
+// The fields of the world that behaviors read, declared once: the Lua tables, the reference page and the editor
+// annotations are generated from this list.
 #pragma once
 
 #include <span>
@@ -20,8 +20,8 @@ std::span<const WorldTable> world_tables();
 /// Appends one frame's values of all fields, in the order of world_fields(); a boolean is 0 or 1, a name its index.
 void append_world(const World& world, std::vector<double>& values);
 
-/// For tests: what `set_world { table = { name = value } }` means. Throws std::runtime_error with one line when there
-/// is no such field or it takes no such value.
+/// For tests: sets a field, as `set_world { table = { name = value } }` does. Throws std::runtime_error with one line
+/// if the field is unknown or the value is invalid.
 struct WorldValue {
   WorldField::Type type = WorldField::Type::number;
   double number = 0.0;  ///< of a boolean: 0 or 1

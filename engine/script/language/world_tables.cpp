@@ -27,7 +27,7 @@ std::vector<std::string> keys_of(lua_State* L, int index) {
 int refuse_unknown(lua_State* L) {
   const std::string table = lua_tostring(L, lua_upvalueindex(1));
   if (lua_type(L, 2) != LUA_TSTRING) {
-    return luaL_error(L, "%s has no field of type %s", table.c_str(), luaL_typename(L, 2));
+    return luaL_error(L, "%s: expected the name of a field, found a %s", table.c_str(), luaL_typename(L, 2));
   }
   const std::string key = lua_tostring(L, 2);
   if (const auto* language = static_cast<const ScriptLanguage*>(lua_touserdata(L, lua_upvalueindex(2)))) {
@@ -70,7 +70,7 @@ void add_unknown_name_error(lua_State* L, const std::string& what, const ScriptL
 
 void make_read_only(lua_State* L, const std::string& what, const ScriptLanguage* language) {
   add_unknown_name_error(L, what, language);
-  lua_newtable(L);           // what the script sees
+  lua_newtable(L);           // the proxy that the script gets
   lua_createtable(L, 0, 5);  // its metatable
   lua_pushvalue(L, -3);
   lua_setfield(L, -2, "__index");

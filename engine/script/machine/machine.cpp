@@ -21,7 +21,7 @@ Machine::Machine(const MachineDefinition& definition)
       holding_since_(definition.transitions.size(), kNever),
       looks_(definition.transitions.size()),
       last_child_(definition.states.size(), -1) {
-  // The maximum depth, and each type of pause in every active state, so that no transition allocates.
+  // Reserve for the maximum depth and for each type of pause in every active state, so that no transition allocates.
   active_.reserve(definition.states.size());
   leases_.reserve(2 * definition.states.size());
 }

@@ -19,7 +19,7 @@ class Machine;
 /// The result of the last evaluation of a transition's `when`.
 enum class WhenValue {
   none,     ///< without `when`: waits for its time alone
-  unasked,  ///< not evaluated since its state was entered
+  unasked,  ///< not evaluated since the state was entered
   no,
   yes,
   failed  ///< the script failed in it or in a function for a dwell time
@@ -83,14 +83,14 @@ class Machine {
   /// function of the script is called.
   void append_conditions(MachineCallbacks& script, double time, std::vector<OpenCondition>& all);
 
-  /// Takes over the status of `old` by paths of states: times, dwell, leases, history. Removed states fall
-  /// back to the nearest remaining ancestor. Returns a line about that, or nothing.
+  /// Takes over the status of `old` by paths of states: times, dwell, leases, history. If a state was removed, the
+  /// nearest remaining ancestor becomes active. Returns a line about that, or an empty string.
   std::string adopt(const Machine& old);
 
   /// For a new table of names: maps numbers of `before` by name.
   void rename(const NameTable& before, Names& names);
 
-  /// Everything except the definition; throws BadBytes if it does not fit the definition.
+  /// All data except the definition; throws BadBytes if the data do not fit the definition.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.active_, self.entered_, self.holding_since_, self.looks_, self.last_child_, self.leases_, self.reason_,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thin typed layer between C++ and Lua: a member function becomes a Lua function that checks its arguments.
+// The typed layer between C++ and Lua: makes a Lua function that checks its arguments from a member function.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Limits the number of metatables of a script. Lua follows __index, __newindex and __call from table to table within
 // one instruction, which the budget does not count; each link of such a chain has its own metatable, so few of them
-// limit the chain. (Lua itself ends a cycle of __index, and the sandbox a cycle of __call, because it fills the stack.)
+// limit the chain. (Lua itself stops a cycle of __index. The sandbox stops a cycle of __call, which fills the stack.)
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lua's string patterns with a cost: every step of a search counts toward the budget, so that no pattern can run away.
+// Lua's string patterns with a cost: every step of a search counts toward the budget, so that each search ends.
 // (Lua's own matcher is a C function, which an instruction hook cannot interrupt.)
 #pragma once
 

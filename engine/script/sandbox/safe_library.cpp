@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-/// A script's own errors can be caught, the end of its budget cannot.
+/// A script can catch its own errors, but not the end of its budget.
 int safe_pcall(lua_State* L) {
   luaL_checkany(L, 1);
   lua_pushcfunction(L, &Sandbox::pay_for_error);
@@ -94,7 +94,7 @@ int safe_tostring(lua_State* L) {
 struct Key {
   int type = LUA_TNIL;
   double number = 0.0;    ///< of a boolean: 0 or 1
-  lua_Integer whole = 0;  ///< of whole numbers, which a double may not tell apart
+  lua_Integer whole = 0;  ///< of whole numbers, because a double cannot represent all of them
   std::string_view text;
   lua_Integer place = 0;  ///< in the table's own order
 
@@ -145,7 +145,7 @@ int safe_pairs(lua_State* L) {
   }
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
-  lua_newtable(L);  // the keys in the table's own order; keeps their strings alive
+  lua_newtable(L);  // the keys in the table's own order; prevents the collection of their strings
   std::vector<Key> keys;
   Sandbox::of(L).charge_walk();
   for (lua_pushnil(L); lua_next(L, 1) != 0;) {
@@ -186,7 +186,7 @@ int call_original(lua_State* L) {
   return lua_gettop(L);
 }
 
-/// With thousands of results, and then arguments, a single instruction would copy thousands of values.
+/// Limits the results, which can become arguments: a single instruction would copy thousands of values.
 int few_results(lua_State* L) {
   constexpr int kMostResults = 250;
   const int results = call_original(L);

@@ -115,7 +115,7 @@ class Sandbox {
   std::int64_t remaining_ = 0;
   std::int64_t spent_ = 0;
   bool exhausted_ = false;
-  bool confined_ = false;  ///< a script runs, so limits apply; the host's own work must not fail on them
+  bool confined_ = false;  ///< whether a script runs, so that limits apply; they must not stop the host's own work
   std::string traceback_;
   Random random_{kSeed};
   lua_State* lua_ = nullptr;

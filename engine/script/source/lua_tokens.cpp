@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 22> kKeywords{
     "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
-// The longest first.
+// The longest symbols first.
 constexpr std::array<std::string_view, 11> kLongSymbols{
     "...", "..", "==", "~=", "<=", ">=", "//", "::", "<<", ">>", "->"};
 

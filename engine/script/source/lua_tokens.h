@@ -29,7 +29,7 @@ struct LuaToken {
   TextPosition position;
   int depth = 0;  ///< number of open (, [ and { around it
 
-  bool is(Kind wanted, std::string_view written) const { return kind == wanted && text == written; }
+  bool is(Kind expected, std::string_view written) const { return kind == expected && text == written; }
   bool is_symbol(std::string_view written) const { return is(Kind::symbol, written); }
   bool is_keyword(std::string_view written) const { return is(Kind::keyword, written); }
 };
