@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts what one frame of the whole core takes from the heap, by replacing operator new: hence a program of its own.
-// What Lua takes for the scripts goes through the sandbox's own allocator, within its limits.
+// Counts the heap allocations of one frame of the whole engine. The test replaces operator new, so it is a separate
+// program. Lua allocates the memory of scripts with the sandbox's own allocator, within its limits.
 #include <cstdlib>
 #include <new>
 
@@ -19,7 +19,7 @@ long allocations = 0;
 long stop_at = -1;
 
 void* allocate(std::size_t size) {
-  // REORIENT_STOP_AT_ALLOCATION=0 stops a debugger at the first one that should not be.
+  // REORIENT_STOP_AT_ALLOCATION=0 stops a debugger at the first unexpected allocation.
   if (counting && allocations++ == stop_at && is_steady) std::abort();
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
@@ -29,7 +29,7 @@ void* allocate(std::size_t size) {
 
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
-// Not inlined: the compiler would see a pointer of operator new be freed, and warn.
+// Not inlined, because the compiler would warn that a pointer of operator new is passed to free().
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
@@ -38,7 +38,7 @@ void* operator new[](std::size_t size) { return allocate(size); }
 namespace reorient {
 namespace {
 
-/// A robot that walks between the marks of a room that it has learned.
+/// A robot that walks between the penalty marks and has learned the room.
 class SteadyState : public testing::TestWithParam<Cameras> {
  protected:
   SteadyState() {
@@ -84,12 +84,10 @@ class SteadyState : public testing::TestWithParam<Cameras> {
 
 TEST_P(SteadyState, AllocatesNothing) {
   EXPECT_EQ(allocations_when_steady({}), 0);
-  EXPECT_GT(engine->record().world.confidence.coverage, 0.5) << "it should do all that it can";
+  EXPECT_GT(engine->record().world.confidence.coverage, 0.5) << "the frames should use all parts of the engine";
 }
 
-TEST_P(SteadyState, AllocatesNothingForThoseWhoWatchEverything) {
-  EXPECT_EQ(allocations_when_steady(Topics::all()), 0);
-}
+TEST_P(SteadyState, AllocatesNothingWithAllTopicsRequested) { EXPECT_EQ(allocations_when_steady(Topics::all()), 0); }
 
 INSTANTIATE_TEST_SUITE_P(Cameras, SteadyState, testing::Values(Cameras::upper, Cameras::both),
                          [](const auto& each) { return each.param == Cameras::upper ? "upper" : "both"; });

@@ -25,7 +25,7 @@ class ArbiterTest : public ::testing::Test {
 
 using Verdicts = std::vector<Verdict>;
 
-TEST_F(ArbiterTest, GrantsOneReorientationAFrameToTheGreatestPriority) {
+TEST_F(ArbiterTest, GrantsOneReorientationPerFrameToTheGreatestPriority) {
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 50),
                       request(Reorientation::reset_orientation, 20)}),
             (Verdicts{Verdict::outranked, Verdict::granted, Verdict::outranked}));
@@ -33,12 +33,12 @@ TEST_F(ArbiterTest, GrantsOneReorientationAFrameToTheGreatestPriority) {
   EXPECT_EQ(last.granted->request.reorientation, Reorientation::purge_reflection);
 }
 
-TEST_F(ArbiterTest, AtATieTheFirstOneWins) {
+TEST_F(ArbiterTest, GrantsTheFirstOfEqualPriorities) {
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 10)}),
             (Verdicts{Verdict::granted, Verdict::outranked}));
 }
 
-TEST_F(ArbiterTest, RefusesTheSameCommandDuringItsCoolDown) {
+TEST_F(ArbiterTest, RefusesTheSameCommandDuringItsCooldown) {
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
   world.time = 2.9;
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 5)}),
@@ -47,7 +47,7 @@ TEST_F(ArbiterTest, RefusesTheSameCommandDuringItsCoolDown) {
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
 }
 
-TEST_F(ArbiterTest, ARefusedCommandStartsNoCoolDown) {
+TEST_F(ArbiterTest, ARefusedCommandStartsNoCooldown) {
   world.posture = Posture::lifted;
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::not_allowed});
   EXPECT_FALSE(last.granted);
@@ -55,14 +55,14 @@ TEST_F(ArbiterTest, ARefusedCommandStartsNoCoolDown) {
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10)}), Verdicts{Verdict::granted});
 }
 
-TEST_F(ArbiterTest, AFallenRobotMayOnlyResetItsOrientation) {
+TEST_F(ArbiterTest, AllowsAFallenRobotOnlyToResetItsOrientation) {
   world.posture = Posture::lying;
   EXPECT_EQ(verdicts({request(Reorientation::flip_pose, 10), request(Reorientation::purge_reflection, 10),
                       request(Reorientation::reset_orientation, 1)}),
             (Verdicts{Verdict::not_allowed, Verdict::not_allowed, Verdict::granted}));
 }
 
-TEST_F(ArbiterTest, ALeasePausesUntilItIsGoneAndIsRecordedOnce) {
+TEST_F(ArbiterTest, ALeasePausesUntilItEndsAndIsRecordedOnce) {
   const std::vector<Lease> leases{{Pause::training, {3, 4, 5}}};
   verdicts({}, leases);
   ASSERT_EQ(last.begun.size(), 1u);
@@ -78,7 +78,7 @@ TEST_F(ArbiterTest, ALeasePausesUntilItIsGoneAndIsRecordedOnce) {
   EXPECT_EQ(last.begun.size(), 1u);
 }
 
-TEST_F(ArbiterTest, ALeaseIsTheSameAfterItsNamesWereNumberedAgain) {
+TEST_F(ArbiterTest, ALeaseIsTheSameAfterItsNamesWereRenumbered) {
   NameTable before, now;
   before.names.insert(before.names.end(), {"machine of old", "machine", "state", "reason"});
   now.names.insert(now.names.end(), {"machine", "state", "reason"});
@@ -91,7 +91,7 @@ TEST_F(ArbiterTest, ALeaseIsTheSameAfterItsNamesWereNumberedAgain) {
   EXPECT_TRUE(last.begun.empty());
 }
 
-TEST_F(ArbiterTest, ALeaseOfAnotherStateIsAnotherLease) {
+TEST_F(ArbiterTest, LeasesOfTwoStatesAreDifferent) {
   verdicts({}, {{Pause::training, {3, 4, 5}}});
   verdicts({}, {{Pause::training, {3, 6, 5}}});
   EXPECT_EQ(last.begun.size(), 1u);

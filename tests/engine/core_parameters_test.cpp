@@ -21,12 +21,12 @@ TEST(CoreParameters, AreTheDefaultsForANaoOnItsField) {
   CoreParameters defaults, of_nao = core_parameters_for(FieldDimensions(), RobotBody());
   declare(defaults, usual);
   declare(of_nao, fitted);
-  const std::vector<Parameter> wanted = usual.list(), got = fitted.list();
-  ASSERT_EQ(wanted.size(), got.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(got[i].value, wanted[i].value) << wanted[i].name;
+  const std::vector<Parameter> expected = usual.list(), got = fitted.list();
+  ASSERT_EQ(expected.size(), got.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(got[i].value, expected[i].value) << expected[i].name;
 }
 
-TEST(CoreParameters, OfEachShippedRobotLieInTheirRanges) {
+TEST(CoreParameters, OfEachShippedRobotAreInTheirRanges) {
   const std::filesystem::path assets = std::filesystem::path(kSourceFolder) / "assets";
   for (const char* robot : {"nao-v6", "booster-k1", "booster-t1"}) {
     const RobotBody body = load_body(assets / "robots" / (std::string(robot) + ".toml"));
@@ -41,7 +41,7 @@ TEST(CoreParameters, OfEachShippedRobotLieInTheirRanges) {
       EXPECT_LE(*value, one.maximum) << robot << ": " << one.name;
     }
     const double corner = 0.5 * std::hypot(field.length, field.width);
-    EXPECT_GT(parameters.room.wall.radius, 1.2 * corner) << "the wall is beyond the field's corners";
+    EXPECT_GT(parameters.room.wall.radius, 1.2 * corner) << "the wall must be beyond the field's corners";
     EXPECT_LE(parameters.room.views.reach, body.neck.yaw);
   }
 }

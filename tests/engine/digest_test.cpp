@@ -23,7 +23,7 @@ RC_GTEST_PROP(Digest, ChangesWithAnySingleByte, (std::vector<unsigned char> byte
   RC_ASSERT(before != digest_of(bytes).value());
 }
 
-TEST(Digest, TellsTrailingZerosApart) {
+TEST(Digest, DependsOnTheNumberOfTrailingZeros) {
   EXPECT_NE(digest_of({1}).value(), digest_of({1, 0}).value());
   EXPECT_NE(digest_of({}).value(), digest_of({0}).value());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The inputs of a run on the simulator with the shipped behaviors in which much happens: carried away, fallen,
-// penalized, tuned, edited, told, with half-times. Stored as bytes, so that many loops can be fed the same.
+// The inputs of a run on the simulator with the shipped behaviors and many events: lifts, falls, penalties, half-times,
+// set poses, messages, changed parameters and edited scripts. Stored as bytes, so that many loops can use the same
+// inputs.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ using Bytes = std::vector<std::byte>;
 
 inline const std::filesystem::path kShippedScripts = std::filesystem::path(kSourceFolder) / "scripts";
 
-/// A behavior that keeps something, draws random numbers and fails now and then.
+/// A behavior that stores kept values, uses random numbers and fails from time to time.
 inline constexpr const char* kRestless = R"(local memory = keep { count = 0, seen = {} }
 behavior "restless" { initial = "turning",
   update = function()
@@ -41,12 +42,12 @@ inline FrameSetup eventful_setup() {
   setup.scripts = read_scripts(kShippedScripts);
   setup.scripts.apply({"behaviors/restless.lua", ScriptText{kRestless, ""}});
   setup.behaviors = {"orientation", "background_training", "head_scan", "get_up", "kidnap_recovery", "restless"};
-  // So that much happens within a few seconds.
+  // Start the evaluation early, so that many events happen within a few seconds.
   setup.parameters = {{"background_training.evaluate_at", "0.1", ParameterOrigin::file, "here:1"}};
   return setup;
 }
 
-/// Of an external particle filter.
+/// The particles of an external particle filter.
 inline std::vector<ExternalBelief::Particle> scattered_around(const Pose2& pose) {
   std::vector<ExternalBelief::Particle> particles;
   particles.reserve(32);
@@ -85,7 +86,7 @@ inline std::vector<Bytes> eventful_run(int frames, FrameSetup setup = eventful_s
     if (event == 200) inputs.external.initial_pose = InitialPose{simulator.ground_truth().pose};
     simulator.observe(inputs.observation);
     const std::vector<ExternalBelief::Particle> particles = scattered_around(simulator.ground_truth().pose);
-    if ((event >= 20 && event < 40) || (event >= 175 && event < 197)) {  // another localization comes, and goes again
+    if ((event >= 20 && event < 40) || (event >= 175 && event < 197)) {  // an external localization starts and ends
       ExternalBelief& belief = inputs.observation.belief.emplace();
       if (event < 40) belief.particles = particles;
       belief.pose = simulator.ground_truth().pose;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot that brings its own localization: ours rests, and reorientations go out as answers.
+// A robot with its own localization: the engine's localization pauses, and answers contain the reorientations.
 #include "engine/world/external_belief.h"
 
 #include <limits>
@@ -25,7 +25,7 @@ ExternalBelief sure_of(const Pose2& pose) {
   return belief;
 }
 
-TEST(ExternalBelief, IsBelievedAtOnceAndKnownIfItIsSure) {
+TEST(ExternalBelief, IsUsedAtOnceAndCountsAsKnownIfItIsCertain) {
   HandFedLoop loop(kIdle);
   loop.inputs.observation.belief = sure_of(kHere);
   loop.step();
@@ -38,7 +38,7 @@ TEST(ExternalBelief, IsBelievedAtOnceAndKnownIfItIsSure) {
   EXPECT_FALSE(loop.world().pose_known);
 }
 
-TEST(ExternalBelief, OfParticlesIsTheirHeaviestCluster) {
+TEST(ExternalBelief, IsTheHeaviestClusterOfItsParticles) {
   std::vector<ExternalBelief::Particle> particles;
   particles.reserve(100);
   for (int i = 0; i < 60; ++i) particles.push_back({kHere * Pose2(0.001 * i, 0.0, 0.0), 2.0});
@@ -53,7 +53,7 @@ TEST(ExternalBelief, OfParticlesIsTheirHeaviestCluster) {
   EXPECT_EQ(loop.record().pose_particles.particles.size(), particles.size());
 }
 
-TEST(ExternalBelief, InvalidOnesAreIgnored) {
+TEST(ExternalBelief, IsIgnoredIfItIsInvalid) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ExternalBelief no_place = sure_of(kHere);
   no_place.pose.position.x() = nan;
@@ -67,7 +67,7 @@ TEST(ExternalBelief, InvalidOnesAreIgnored) {
   without_sense.particles = mad;
   for (const ExternalBelief& bad : {no_place, no_spread, without_weight, without_sense}) {
     HandFedLoop loop(kIdle);
-    loop.tell(Pose2(-1.0, 1.0, 0.0));
+    loop.set_pose(Pose2(-1.0, 1.0, 0.0));
     loop.inputs.observation.belief = bad;
     loop.step();
     EXPECT_FALSE(loop.record().inputs.external_belief);
@@ -75,7 +75,7 @@ TEST(ExternalBelief, InvalidOnesAreIgnored) {
   }
 }
 
-TEST(ExternalBelief, GetsAReorientationAsAnAnswerAndIsNotTouched) {
+TEST(ExternalBelief, GetsAReorientationInTheAnswerAndIsNotChanged) {
   HandFedLoop loop(then("command.flip_pose()"));
   loop.inputs.observation.belief = sure_of(kHere);
   const FrameRecord& record = loop.reoriented();
@@ -85,13 +85,13 @@ TEST(ExternalBelief, GetsAReorientationAsAnAnswerAndIsNotTouched) {
   expect_near(record.reorientation->belief_after.pose, reflect(kHere));
   expect_near(loop.world().pose.pose, kHere);
   loop.step();
-  EXPECT_FALSE(loop.record().answer.reorientation) << "it is told once";
+  EXPECT_FALSE(loop.record().answer.reorientation) << "a reorientation is sent once";
   loop.inputs.observation.belief = sure_of(reflect(kHere));
   loop.step();
   expect_near(loop.world().pose.pose, reflect(kHere));
 }
 
-TEST(ExternalBelief, OfTwoEqualHypothesesIsTheOtherOneAfterAFlip) {
+TEST(ExternalBelief, WithTwoEqualHypothesesIsTheOppositeOneAfterAFlip) {
   const std::vector<ExternalBelief::Particle> pair{{kHere, 1.0}, {reflect(kHere), 1.0}};
   HandFedLoop loop(then("command.flip_pose()"));
   loop.inputs.observation.belief.emplace().particles = pair;
@@ -104,7 +104,7 @@ TEST(ExternalBelief, OfTwoEqualHypothesesIsTheOtherOneAfterAFlip) {
   expect_near(loop.world().pose.pose, reflect(before));
 }
 
-TEST(ExternalBelief, OfTwoHypothesesStaysTheHeavierOneUntilTheFlipIsCarriedOut) {
+TEST(ExternalBelief, WithTwoHypothesesStaysTheHeavierOneUntilTheFlipIsApplied) {
   const std::vector<ExternalBelief::Particle> before{{kHere, 2.0}, {reflect(kHere), 1.0}};
   const std::vector<ExternalBelief::Particle> after{{reflect(kHere), 2.0}, {kHere, 1.0}};
   HandFedLoop loop(then("command.flip_pose()"));
@@ -117,7 +117,7 @@ TEST(ExternalBelief, OfTwoHypothesesStaysTheHeavierOneUntilTheFlipIsCarriedOut) 
   expect_near(loop.world().pose.pose, reflect(kHere));
 }
 
-TEST(ExternalBelief, ThatIsToBeResetIsExpectedToKnowNoDirection) {
+TEST(ExternalBelief, HasNoDirectionAfterAResetIsExpected) {
   HandFedLoop loop(then("command.reset_orientation()"));
   loop.inputs.observation.belief = sure_of(kHere);
   const PoseBelief& after = loop.reoriented().reorientation->belief_after;
@@ -128,19 +128,19 @@ TEST(ExternalBelief, ThatIsToBeResetIsExpectedToKnowNoDirection) {
 
 TEST(ExternalBelief, ContinuesWithOdometryAfterItsEnd) {
   HandFedLoop loop(kIdle);
-  loop.tell(Pose2(-2.0, 1.0, 3.0));
+  loop.set_pose(Pose2(-2.0, 1.0, 3.0));
   loop.inputs.observation.belief = sure_of(kHere);
   loop.step(10);
   loop.inputs.observation.belief.reset();
   loop.step(29);
-  EXPECT_TRUE(loop.record().inputs.external_belief) << "for a second the last one counts";
+  EXPECT_TRUE(loop.record().inputs.external_belief) << "the last belief is used for a second";
   EXPECT_EQ(loop.world().pose.pose.position, kHere.position);
   loop.step(2);
   EXPECT_FALSE(loop.record().inputs.external_belief);
   expect_near(loop.world().pose.pose, kHere);
 }
 
-TEST(ExternalBelief, ThatCannotBeReadInOneFrameMovesWithTheOdometry) {
+TEST(ExternalBelief, MovesWithTheOdometryInAFrameInWhichItCannotBeRead) {
   HandFedLoop loop(kIdle);
   loop.inputs.observation.belief = sure_of(kHere);
   loop.step(10);
@@ -163,21 +163,21 @@ TEST(ExternalBelief, DoesNotReplaceASetPoseAfterItsEnd) {
   loop.step(10);
   loop.inputs.observation.belief.reset();
   loop.step();
-  loop.tell(Pose2(-2.0, 1.0, 3.0));
+  loop.set_pose(Pose2(-2.0, 1.0, 3.0));
   loop.step();
   EXPECT_FALSE(loop.record().inputs.external_belief);
   expect_near(loop.world().pose.pose, Pose2(-2.0, 1.0, 3.0));
 }
 
-TEST(ExternalBelief, ThatNeverCameIsNotWaitedFor) {
+TEST(ExternalBelief, IsNotAwaitedIfItWasNeverGiven) {
   HandFedLoop loop(kIdle);
-  loop.tell(Pose2(-2.0, 1.0, 0.5));
+  loop.set_pose(Pose2(-2.0, 1.0, 0.5));
   loop.step();
   EXPECT_FALSE(loop.record().inputs.external_belief);
 }
 
-/// A robot with a localization of its own, which knows everything but which way round it stands: it is right, or it
-/// believes the exact reflection.
+/// A robot with its own localization, which knows everything except the orientation: its belief is correct or the exact
+/// reflection.
 class OwnLocalization : public Robot {
  public:
   explicit OwnLocalization(Simulator& simulator) : simulator_(simulator) {}
@@ -201,7 +201,7 @@ class OwnLocalization : public Robot {
   Simulator& simulator_;
 };
 
-TEST(ExternalBelief, OfAMirroredRobotIsCorrectedByItsOwnLocalization) {
+TEST(ExternalBelief, OfAMirroredRobotIsCorrectedByTheRobotsOwnLocalization) {
   SimulatorParameters parameters;
   parameters.width = 160;
   FrameSetup setup;
@@ -218,7 +218,7 @@ TEST(ExternalBelief, OfAMirroredRobotIsCorrectedByItsOwnLocalization) {
     }
   };
   run(45.0);
-  ASSERT_FALSE(engine.record().answer.reorientation) << "a right belief was reoriented";
+  ASSERT_FALSE(engine.record().answer.reorientation) << "a correct belief was reoriented";
   EXPECT_GT(engine.record().world.confidence.current, 0.6);
   robot.reflected = true;
   run(20.0);
@@ -226,7 +226,7 @@ TEST(ExternalBelief, OfAMirroredRobotIsCorrectedByItsOwnLocalization) {
   EXPECT_FALSE(robot.reflected);
 }
 
-RC_GTEST_PROP(ExternalBeliefProperty, GivesSoundBeliefsWhateverComes, ()) {
+RC_GTEST_PROP(ExternalBeliefProperty, GivesValidBeliefsForAnyInput, ()) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto number = [&] {
     const int kind = *rc::gen::inRange(0, 20);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame loop around one behavior's text, fed by hand.
+// A frame loop with one behavior; the test sets the inputs of each frame.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ inline void expect_near(const Pose2& a, const Pose2& b, double tolerance = 0.1) 
   EXPECT_LT(std::abs(angle_difference(a.rotation, b.rotation)), tolerance);
 }
 
-/// An image in which everything has another color.
+/// An image with a different color at each pixel.
 inline Image colorful_image(int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -37,7 +37,7 @@ inline Image colorful_image(int width, int height) {
   return image;
 }
 
-/// A robot that stands, and what it is told.
+/// A robot that stands, and the inputs of its next frame.
 class HandFedLoop {
  public:
   static constexpr double kStep = 1.0 / 30.0;
@@ -52,7 +52,7 @@ class HandFedLoop {
     upper.robot_from_camera = robot_from_camera(RobotDimensions(), {}, {}, RobotDimensions().torso_height);
   }
 
-  /// This many frames; external inputs and changes are for the first of them.
+  /// Runs this many frames; external inputs and changes are for the first of them.
   const FrameRecord& step(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
       Observation& observation = inputs.observation;
@@ -69,9 +69,9 @@ class HandFedLoop {
   }
   const FrameRecord& record() const { return engine->record(); }
   const World& world() const { return record().world; }
-  void tell(const Pose2& pose) { inputs.external.initial_pose = InitialPose{pose}; }
+  void set_pose(const Pose2& pose) { inputs.external.initial_pose = InitialPose{pose}; }
 
-  /// The operator lifts it by both shoulders: the engine detects it within ten frames.
+  /// The operator lifts the robot; the engine detects it within ten frames.
   void lift() {
     inputs.observation.body.foot_load = 0.0;
     inputs.observation.body.acceleration.z() += 5.0;
@@ -83,7 +83,7 @@ class HandFedLoop {
     step(10);
   }
 
-  /// Steps until something was granted.
+  /// Steps until a reorientation was granted.
   const FrameRecord& reoriented() {
     for (int i = 0; i < 100 && !record().reorientation; ++i) step();
     EXPECT_TRUE(record().reorientation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One frame from the inputs to the answer, fed by hand.
+// One frame from the inputs to the answer.
 #include "engine/frame.h"
 
 #include <functional>
@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kStep = HandFedLoop::kStep;
 const Pose2 kPlace(-2.0, 1.0, 0.5);
-/// Is told at the start where it stands.
-struct ToldLoop : HandFedLoop {
-  explicit ToldLoop(const std::string& behavior, FrameSetup setup = {}) : HandFedLoop(behavior, std::move(setup)) {
-    tell(kPlace);
+/// Its initial pose is set at the start.
+struct LoopWithPose : HandFedLoop {
+  explicit LoopWithPose(const std::string& behavior, FrameSetup setup = {}) : HandFedLoop(behavior, std::move(setup)) {
+    set_pose(kPlace);
   }
 };
 
-TEST(Frame, KeepsTheRobotsTime) {
+TEST(Frame, UsesTheTimeOfTheRobot) {
   HandFedLoop loop(kIdle);
   loop.inputs.observation.time = 7.0;
   loop.step(3);
@@ -33,7 +33,7 @@ TEST(Frame, KeepsTheRobotsTime) {
   EXPECT_EQ(loop.world().frame, 3u);
 }
 
-TEST(Frame, TakesTheAnglesOfItsOwnBodyFromASavedModel) {
+TEST(Frame, LoadsCameraAnglesFromASavedModelOfTheSameBodyOnly) {
   KnownBias known{digest_of(RobotBody()), {}};
   known.bias.torso.pitch = 0.05;
   known.bias.deviation = 0.005;
@@ -48,10 +48,10 @@ TEST(Frame, TakesTheAnglesOfItsOwnBodyFromASavedModel) {
   EXPECT_LT(begun_with(known).deviation, from_degrees(1.0));
   RobotBody taller;
   taller.dimensions.torso_height += 0.01;
-  EXPECT_EQ(begun_with({digest_of(taller), known.bias}).torso.pitch, 0.0) << "of another body";
+  EXPECT_EQ(begun_with({digest_of(taller), known.bias}).torso.pitch, 0.0) << "the angles belong to another body";
 }
 
-TEST(Frame, AnswersWithWhatScriptsAskFor) {
+TEST(Frame, AnswersWithTheRequestsOfScripts) {
   HandFedLoop loop(
       R"(behavior "tested" { update = function() head.look(0.3, -0.1, 2) walk.velocity(0.1, 0, 0.4) end })");
   const Request& request = loop.step().answer.request;
@@ -63,11 +63,11 @@ TEST(Frame, AnswersWithWhatScriptsAskFor) {
   EXPECT_EQ(request.walk.turn, 0.4);
 }
 
-TEST(Frame, BelievesASetPoseInTheSameFrame) {
+TEST(Frame, AppliesASetPoseInTheSameFrame) {
   HandFedLoop loop(kIdle);
   loop.step();
   EXPECT_FALSE(loop.world().pose_known);
-  loop.tell(kPlace);
+  loop.set_pose(kPlace);
   loop.step();
   EXPECT_TRUE(loop.world().pose_known);
   expect_near(loop.world().pose.pose, kPlace);
@@ -77,7 +77,7 @@ TEST(Frame, BelievesASetPoseInTheSameFrame) {
   EXPECT_FALSE(loop.record().inputs.initial_pose);
 }
 
-TEST(Frame, BelievesTheRobotsOwnSoftwareAsWell) {
+TEST(Frame, AppliesInputsOfTheRobotsOwnSoftwareAsWell) {
   HandFedLoop loop(kIdle);
   loop.inputs.observation.external.initial_pose = InitialPose{kPlace};
   loop.inputs.observation.external.referee = RefereeState{true};
@@ -86,7 +86,7 @@ TEST(Frame, BelievesTheRobotsOwnSoftwareAsWell) {
   EXPECT_TRUE(loop.world().referee.penalized);
   loop.inputs.observation.external = {};
   loop.step();
-  EXPECT_TRUE(loop.world().referee.penalized) << "until the referee says otherwise";
+  EXPECT_TRUE(loop.world().referee.penalized) << "until the referee ends the penalty";
 }
 
 constexpr const char* kWalking = R"(behavior "restless" { initial = "on", state "on" {
@@ -110,13 +110,12 @@ TEST(Frame, WalksOnlyIfTheRefereePermits) {
     loop.step();
     EXPECT_EQ(loop.world().may_walk, walks);
     EXPECT_EQ(loop.record().answer.request.walk.forward > 0.0, walks) << to_string(referee.state);
-    EXPECT_EQ(loop.record().answer.request.head.has_value(), !referee.stopped)
-        << "where all motion stops, the head's too";
+    EXPECT_EQ(loop.record().answer.request.head.has_value(), !referee.stopped) << "the head must stop, too";
   }
 }
 
-TEST(Frame, CarriesTheBeliefAlongWithTheOdometry) {
-  ToldLoop loop(kIdle);
+TEST(Frame, MovesTheBeliefWithTheOdometry) {
+  LoopWithPose loop(kIdle);
   loop.step(2);
   for (int i = 1; i <= 10; ++i) {
     loop.inputs.observation.odometry = Pose2(0.05 * i, 0.0, 0.0);
@@ -127,7 +126,7 @@ TEST(Frame, CarriesTheBeliefAlongWithTheOdometry) {
 }
 
 TEST(Frame, FlipsTheBeliefInTheFrameThatGrantsIt) {
-  ToldLoop loop(then("command.flip_pose()"));
+  LoopWithPose loop(then("command.flip_pose()"));
   loop.wanted = {Topic::pose_particles};
   const FrameRecord& record = loop.reoriented();
   const ReorientationRecord& flip = *record.reorientation;
@@ -145,13 +144,13 @@ TEST(Frame, FlipsTheBeliefInTheFrameThatGrantsIt) {
   ASSERT_EQ(record.commands.size(), 1u);
   EXPECT_EQ(record.commands.front().verdict, Verdict::granted);
   loop.step();
-  EXPECT_FALSE(loop.record().reorientation) << "a reorientation is of one frame";
+  EXPECT_FALSE(loop.record().reorientation) << "a reorientation is recorded in one frame only";
   EXPECT_FALSE(loop.record().answer.reorientation);
   EXPECT_TRUE(loop.record().pose_particles.before.empty());
 }
 
-TEST(Frame, KeepsTheBeliefWhereACommandIsRefused) {
-  ToldLoop loop(then("command.flip_pose()"));
+TEST(Frame, DoesNotChangeTheBeliefIfACommandIsRefused) {
+  LoopWithPose loop(then("command.flip_pose()"));
   loop.lift();
   for (int i = 0; i < 30; ++i) {
     loop.step();
@@ -185,15 +184,15 @@ TEST(Frame, SeesTheFieldWithBothCamerasEachWithItsOwnPose) {
     lower_points += record.percepts[1].line_points.size();
     for (const LinePoint& point : record.percepts[1].line_points) {
       const Eigen::Vector2d on_field = simulator.ground_truth().pose * point.position;
-      EXPECT_LT(on_field.norm(), 2.5) << "near the feet";
+      EXPECT_LT(on_field.norm(), 2.5) << "the lower camera looks near the feet";
     }
   }
   EXPECT_GT(lower_points, 60u);
   EXPECT_LT((engine.record().world.pose.pose.position - Eigen::Vector2d(-0.8, 0.0)).norm(), 0.2);
 }
 
-TEST(Frame, LooksAtTheRoomThroughTheLowerCameraWhereThereIsNoOther) {
-  ToldLoop loop(kIdle);
+TEST(Frame, UsesTheLowerCameraForTheRoomWithoutAnUpperCamera) {
+  LoopWithPose loop(kIdle);
   loop.step();
   EXPECT_EQ(loop.record().inputs.room_camera, HeadCamera::upper);
   loop.inputs.observation.lower = loop.inputs.observation.upper;
@@ -208,8 +207,8 @@ TEST(Frame, LooksAtTheRoomThroughTheLowerCameraWhereThereIsNoOther) {
   EXPECT_FALSE(loop.record().inputs.room_camera);
 }
 
-TEST(Frame, KnowsThePoseNoMoreAfterAReset) {
-  ToldLoop loop(then("command.reset_orientation()"));
+TEST(Frame, HasAnUnknownPoseAfterAReset) {
+  LoopWithPose loop(then("command.reset_orientation()"));
   EXPECT_EQ(loop.reoriented().reorientation->reorientation, Reorientation::reset_orientation);
   EXPECT_FALSE(loop.world().pose_known);
   loop.step(5);
@@ -217,36 +216,36 @@ TEST(Frame, KnowsThePoseNoMoreAfterAReset) {
   EXPECT_FALSE(loop.world().training);
 }
 
-TEST(Frame, KnowsThePoseStillAfterAPurge) {
-  ToldLoop loop(then("command.purge_reflection()"));
+TEST(Frame, HasAKnownPoseAfterAPurge) {
+  LoopWithPose loop(then("command.purge_reflection()"));
   EXPECT_EQ(loop.reoriented().reorientation->reorientation, Reorientation::purge_reflection);
   EXPECT_TRUE(loop.world().pose_known);
 }
 
-TEST(Frame, AnswersThatTheRoomCannotTellBeforeAnythingWasLearned) {
+TEST(Frame, ReportsThatAnUnknownRoomCannotDistinguishThePoses) {
   HandFedLoop loop(kIdle);
   const Answer& answer = loop.step().answer;
   EXPECT_FALSE(answer.room.usable);
   EXPECT_EQ(answer.room.evidence, 0.0);
 }
 
-TEST(Frame, TrainsOnlyWithAPose) {
+TEST(Frame, TrainsOnlyWithAKnownPose) {
   HandFedLoop unknown(kIdle);
   unknown.step(10);
   EXPECT_FALSE(unknown.world().training);
   EXPECT_EQ(unknown.world().trained_seconds, 0.0);
 
-  ToldLoop told(kIdle);
-  told.step(10);
-  EXPECT_TRUE(told.world().training);
-  EXPECT_NEAR(told.world().trained_seconds, 9 * kStep, 1e-9);  // not in the frame in which it was told
+  LoopWithPose known(kIdle);
+  known.step(10);
+  EXPECT_TRUE(known.world().training);
+  EXPECT_NEAR(known.world().trained_seconds, 9 * kStep, 1e-9);  // not in the frame in which the pose was set
 }
 
-TEST(Frame, LearnsNothingInTheFrameInWhichAPoseIsSet) {
-  ToldLoop loop(kIdle);
+TEST(Frame, DoesNotTrainInTheFrameInWhichAPoseIsSet) {
+  LoopWithPose loop(kIdle);
   loop.step(10);
   const double trained = loop.world().trained_seconds;
-  loop.tell(Pose2(1.0, 0.5, 0.0));
+  loop.set_pose(Pose2(1.0, 0.5, 0.0));
   loop.step();
   EXPECT_FALSE(loop.world().training);
   EXPECT_EQ(loop.world().trained_seconds, trained);
@@ -254,8 +253,8 @@ TEST(Frame, LearnsNothingInTheFrameInWhichAPoseIsSet) {
   EXPECT_TRUE(loop.world().training);
 }
 
-TEST(Frame, LearnsForAtMostAFifthOfASecondFromOneImage) {
-  ToldLoop loop(kIdle);
+TEST(Frame, TrainsForAtMostAFifthOfASecondWithOneImage) {
+  LoopWithPose loop(kIdle);
   loop.step(10);
   const double trained = loop.world().trained_seconds;
   loop.inputs.observation.time += 2.0;
@@ -263,8 +262,8 @@ TEST(Frame, LearnsForAtMostAFifthOfASecondFromOneImage) {
   EXPECT_NEAR(loop.world().trained_seconds, trained + 0.2, 1e-9);
 }
 
-TEST(Frame, HasLearnedNothingOfTheRoomOnceItsWallIsAnother) {
-  ToldLoop loop(kIdle);
+TEST(Frame, DiscardsTheLearnedRoomIfTheWallChanges) {
+  LoopWithPose loop(kIdle);
   loop.step(10);
   loop.inputs.parameter_changes.push_back({"view_filter.sharpness", "100", ParameterOrigin::live, ""});
   loop.step();
@@ -274,8 +273,8 @@ TEST(Frame, HasLearnedNothingOfTheRoomOnceItsWallIsAnother) {
   EXPECT_NEAR(loop.world().trained_seconds, kStep, 1e-9);
 }
 
-TEST(Frame, NeitherTrainsNorEvaluatesNorSeesTheFieldWhileItLies) {
-  ToldLoop loop(kIdle);
+TEST(Frame, NeitherTrainsNorEvaluatesNorDetectsTheFieldWhileLying) {
+  LoopWithPose loop(kIdle);
   loop.step(10);
   const double trained = loop.world().trained_seconds;
   loop.inputs.observation.body.torso.pitch = 1.5;
@@ -291,8 +290,8 @@ TEST(Frame, NeitherTrainsNorEvaluatesNorSeesTheFieldWhileItLies) {
   EXPECT_EQ(loop.world().trained_seconds, trained);
 }
 
-TEST(Frame, NeitherTrainsNorEvaluatesWhileItIsCarried) {
-  ToldLoop loop(kIdle);
+TEST(Frame, NeitherTrainsNorEvaluatesWhileLifted) {
+  LoopWithPose loop(kIdle);
   loop.step(10);
   loop.lift();
   EXPECT_EQ(loop.world().posture, Posture::lifted);
@@ -304,11 +303,11 @@ TEST(Frame, NeitherTrainsNorEvaluatesWhileItIsCarried) {
   EXPECT_GT(loop.world().time_since_disturbance, 0.0);
 }
 
-TEST(Frame, RestsWhatAScriptPausesFromTheNextFrameOn) {
-  ToldLoop loop(R"(behavior "tested" { initial = "waiting",
+TEST(Frame, AppliesAPauseOfAScriptFromTheNextFrame) {
+  LoopWithPose loop(R"(behavior "tested" { initial = "waiting",
     state "waiting" { { "pausing", after = 0.5 } },
-    state "pausing" { enter = function() command.pause_training() command.pause_evaluation() end, { "going on", after = 0.5 } },
-    state "going on" {} })");
+    state "pausing" { enter = function() command.pause_training() command.pause_evaluation() end, { "running", after = 0.5 } },
+    state "running" {} })");
   loop.step(10);
   EXPECT_TRUE(loop.world().training);
   EXPECT_TRUE(loop.world().evaluating);
@@ -326,7 +325,7 @@ TEST(Frame, RestsWhatAScriptPausesFromTheNextFrameOn) {
 TEST(Frame, HasNoConfidenceWithoutRoomAwareness) {
   FrameSetup setup;
   setup.room_awareness = false;
-  ToldLoop loop(kIdle, std::move(setup));
+  LoopWithPose loop(kIdle, std::move(setup));
   loop.wanted = {Topic::room};
   for (int i = 0; i < 40; ++i) {
     loop.step();
@@ -341,7 +340,7 @@ TEST(Frame, HasNoConfidenceWithoutRoomAwareness) {
   EXPECT_TRUE(loop.record().room.model.empty());
 }
 
-TEST(Frame, BeginsWithItsOverridesAndObeysAChange) {
+TEST(Frame, StartsWithItsOverridesAndAppliesAChange) {
   FrameSetup setup;
   setup.parameters.push_back({"pose_filter.particles", "66", ParameterOrigin::command_line, ""});
   HandFedLoop loop(kIdle, std::move(setup));
@@ -375,7 +374,7 @@ TEST(Frame, AppliesAnEditBeforeItsBehaviorsTick) {
   EXPECT_TRUE(loop.step().reloads.empty());
 }
 
-TEST(Frame, RefusesASetupWithWhatIsWrong) {
+TEST(Frame, RefusesAnInvalidSetupWithAReason) {
   const auto refusal = [](const std::function<void(FrameSetup&)>& spoil) -> std::string {
     FrameSetup setup;
     spoil(setup);
@@ -398,7 +397,7 @@ TEST(Frame, RefusesASetupWithWhatIsWrong) {
 }
 
 TEST(Frame, FillsExpensiveTopicsOnlyOnRequest) {
-  ToldLoop loop(then("command.flip_pose()"));
+  LoopWithPose loop(then("command.flip_pose()"));
   loop.step(3);
   const FrameRecord& record = loop.record();
   EXPECT_EQ(record.filled, Topics::always());

@@ -18,22 +18,22 @@ SeenGoal seen(double opponent, double own, const GoalViewParameters& parameters 
 
 TEST(GoalView, IsUnknownWithoutParticlesBehindAGoal) { EXPECT_EQ(seen(0.0, 0.0), SeenGoal::unknown); }
 
-TEST(GoalView, IsOfTheGoalWithEnoughParticlesBehindIt) {
+TEST(GoalView, IsTheGoalWithEnoughParticlesBehindIt) {
   EXPECT_EQ(seen(0.6, 0.1), SeenGoal::opponent);
   EXPECT_EQ(seen(0.1, 0.6), SeenGoal::own);
 }
 
-TEST(GoalView, IsUnknownBelowTheLeastShare) {
+TEST(GoalView, IsUnknownBelowTheSmallestFraction) {
   EXPECT_EQ(seen(0.2, 0.0), SeenGoal::opponent);
   EXPECT_EQ(seen(0.199, 0.0), SeenGoal::unknown);
 }
 
-TEST(GoalView, IsUnknownWhereTheOtherGoalIsNotFarEnoughBehind) {
+TEST(GoalView, IsUnknownIfTheRatioToTheOtherGoalIsTooSmall) {
   EXPECT_EQ(seen(0.6, 0.3), SeenGoal::opponent);
   EXPECT_EQ(seen(0.6, 0.31), SeenGoal::unknown);
 }
 
-TEST(GoalView, IsNotOfEitherGoalWhenBothHaveTheSameShare) {
+TEST(GoalView, IsUnknownIfBothGoalsHaveTheSameFraction) {
   GoalViewParameters parameters;
   parameters.lead = 1.001;
   EXPECT_EQ(seen(0.5, 0.5, parameters), SeenGoal::unknown);

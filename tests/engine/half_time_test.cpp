@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The teams change sides: one frame turns belief, model and view particles with the axes.
+// The teams change sides: one frame rotates the belief, the model and the view particles with the axes.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -16,9 +16,9 @@ namespace {
 
 const Pose2 kStandsAt(-2.0, 1.0, 0.5);
 
-TEST(HalfTimeFrame, TurnsTheBeliefInTheSameFrame) {
+TEST(HalfTimeFrame, RotatesTheBeliefInTheSameFrame) {
   HandFedLoop loop(kIdle);
-  loop.tell(kStandsAt);
+  loop.set_pose(kStandsAt);
   loop.step(10);
   const PoseBelief before = loop.world().pose;
   loop.inputs.external.half_time = true;
@@ -27,10 +27,10 @@ TEST(HalfTimeFrame, TurnsTheBeliefInTheSameFrame) {
   EXPECT_TRUE(loop.world().sides_changed);
   EXPECT_TRUE(loop.world().pose_known);
   EXPECT_TRUE(loop.record().inputs.half_time);
-  EXPECT_FALSE(loop.record().reorientation) << "it is no flip";
+  EXPECT_FALSE(loop.record().reorientation) << "a change of sides is no flip";
   loop.step();
-  EXPECT_FALSE(loop.record().inputs.half_time) << "it is of one frame";
-  EXPECT_TRUE(loop.world().sides_changed) << "until they change again";
+  EXPECT_FALSE(loop.record().inputs.half_time) << "it is recorded in one frame only";
+  EXPECT_TRUE(loop.world().sides_changed) << "valid until the teams change sides again";
   loop.inputs.external.half_time = true;
   loop.step();
   EXPECT_FALSE(loop.world().sides_changed);
@@ -39,7 +39,7 @@ TEST(HalfTimeFrame, TurnsTheBeliefInTheSameFrame) {
 
 TEST(HalfTimeFrame, IsAppliedOnceForAllSources) {
   HandFedLoop loop(kIdle);
-  loop.tell(kStandsAt);
+  loop.set_pose(kStandsAt);
   loop.step(2);
   loop.inputs.external.half_time = loop.inputs.observation.external.half_time = true;
   loop.step();
@@ -56,7 +56,7 @@ TEST(HalfTimeFrame, IsAppliedBeforeThePoseThatIsSetWithIt) {
   expect_near(loop.world().pose.pose, kStandsAt);
 }
 
-TEST(HalfTimeFrame, IsSeenByScriptsFromThenOn) {
+TEST(HalfTimeFrame, IsVisibleToScriptsFromThisFrameOn) {
   HandFedLoop loop(R"(behavior "tested" { initial = "first", state "first" {
     { "second", when = function() return game.sides_changed end, because = "the teams change sides" } },
     state "second" {} })");
@@ -67,7 +67,7 @@ TEST(HalfTimeFrame, IsSeenByScriptsFromThenOn) {
   EXPECT_EQ(loop.record().name(loop.record().machines.front().state), "second");
 }
 
-TEST(HalfTimeFrame, IsInTheRecordAndInTheDigest) {
+TEST(HalfTimeFrame, IsPartOfTheRecordAndTheDigest) {
   std::vector<std::uint64_t> digests;
   for (const bool is_told : {false, true, false}) {
     HandFedLoop loop(kIdle);
@@ -121,7 +121,7 @@ class HalfTimeOnTheSimulator : public ::testing::Test {
   std::optional<FrameLoop> engine_;
 };
 
-TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHadHappened) {
+TEST_F(HalfTimeOnTheSimulator, DoesNotChangeTheConfidencesOfTheFirstFrame) {
   learn(14.0);
   FrameLoop turned = another();
   FrameInputs inputs;
@@ -133,7 +133,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   const Confidences& is = after.world.confidence;
   ASSERT_GT(was.coverage, 0.2);
   ASSERT_GT(was.current, 0.5);
-  constexpr double kRounding = 1e-9;  // the grid's cells are added up from another one on
+  constexpr double kRounding = 1e-9;  // the sum over the grid's cells starts at another cell
   EXPECT_NEAR(is.current, was.current, kRounding);
   EXPECT_NEAR(is.opposite, was.opposite, kRounding);
   EXPECT_EQ(is.age, was.age);
@@ -142,7 +142,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   EXPECT_NEAR(is.evidence, was.evidence, 1e-6);
   for (const FrameRecord* record : {&before, &after}) {
     EXPECT_EQ(record->answer.room.evidence, record->world.confidence.evidence);
-    EXPECT_LT(record->answer.room.evidence, -4.0) << "the room speaks for the believed pose";
+    EXPECT_LT(record->answer.room.evidence, -4.0) << "the room must support the believed pose";
     EXPECT_TRUE(record->answer.room.usable);
   }
   EXPECT_EQ(after.world.room_status, before.world.room_status);
@@ -158,7 +158,7 @@ TEST_F(HalfTimeOnTheSimulator, LeavesTheConfidencesOfTheFirstFrameAsIfNothingHad
   }
 }
 
-TEST_F(HalfTimeOnTheSimulator, OfAnotherLocalizationTurnsTheModelAlone) {
+TEST_F(HalfTimeOnTheSimulator, RotatesOnlyTheModelIfTheLocalizationIsExternal) {
   learn(14.0);
   FrameInputs inputs;
   const auto step = [&](bool half_time) -> FrameRecord {
@@ -171,7 +171,8 @@ TEST_F(HalfTimeOnTheSimulator, OfAnotherLocalizationTurnsTheModelAlone) {
   const FrameRecord before = step(false);
   const FrameRecord after = step(true);
   expect_near(after.world.pose.pose, reflect(simulator_.ground_truth().pose), 1e-9);
-  EXPECT_NEAR(after.world.confidence.current, before.world.confidence.current, 0.1) << "nothing was exchanged";
+  EXPECT_NEAR(after.world.confidence.current, before.world.confidence.current, 0.1)
+      << "the confidences must not be exchanged";
   EXPECT_GT(after.world.confidence.age, before.world.confidence.age);
   const Wall wall(before.room.basis.wall);
   for (int tile = 0; tile < wall.tiles(); ++tile) {

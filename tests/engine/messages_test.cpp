@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words between team mates: what a behavior hears, and what it says.
+// Messages between teammates: the ones that a behavior receives, and the ones that it sends.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ constexpr const char* kEcho = R"(behavior "tested" { update = function()
   for i = 1, team.heard() do team.send(team.sender(i) .. " said " .. team.text(i)) end
 end })";
 
-TEST(Messages, AreHeardInTheirOrderInTheFrameThatTheyComeWith) {
+TEST(Messages, AreReadInOrderInTheFrameThatContainsThem) {
   HandFedLoop loop(kEcho);
   loop.inputs.observation.external.messages = {{2, "hello"}};
   loop.inputs.external.messages = {{3, "and I"}};
@@ -24,7 +24,7 @@ TEST(Messages, AreHeardInTheirOrderInTheFrameThatTheyComeWith) {
   EXPECT_TRUE(loop.record().inputs.messages.empty());
 }
 
-TEST(Messages, AreTakenAsFarAsTheyFit) {
+TEST(Messages, AreTruncatedToTheirLimits) {
   HandFedLoop loop(R"(behavior "tested" { update = function()
     if team.heard() > 0 then log.info(team.heard() .. " " .. #team.text(1)) end
   end })");
@@ -33,7 +33,7 @@ TEST(Messages, AreTakenAsFarAsTheyFit) {
   EXPECT_EQ(loop.record().logs[0].text, "32 240");
 }
 
-TEST(Messages, MayHoldAnyBytesThatAreHeard) {
+TEST(Messages, MayContainAnyBytesIfReceived) {
   HandFedLoop loop(R"(behavior "tested" { update = function()
     if team.heard() > 0 then log.info(tostring(#team.text(1))) end
   end })");
@@ -42,7 +42,7 @@ TEST(Messages, MayHoldAnyBytesThatAreHeard) {
   EXPECT_EQ(loop.record().logs[0].text, "3");
 }
 
-TEST(Messages, OfAnotherFrameAreAnError) {
+TEST(Messages, WithAnUnknownIndexAreAnError) {
   for (const char* which : {"1", "0", "-1", "2^53"}) {
     HandFedLoop loop(std::string("behavior \"tested\" { update = function() team.text(") + which + ") end }");
     ASSERT_FALSE(loop.step().faults.empty()) << which;
@@ -50,7 +50,7 @@ TEST(Messages, OfAnotherFrameAreAnError) {
   }
 }
 
-TEST(Messages, ThatDoNotFitAreRefused) {
+TEST(Messages, AreRefusedIfTheyAreTooLongOrContainZeroBytes) {
   const struct {
     const char* text;
     const char* refusal;
@@ -63,7 +63,7 @@ TEST(Messages, ThatDoNotFitAreRefused) {
   }
 }
 
-TEST(Messages, OfOneThatTalksTooMuchSilenceNoOther) {
+TEST(Messages, OfABehaviorThatSendsTooManyDoNotBlockOtherBehaviors) {
   FrameSetup setup;
   setup.scripts.apply(
       {"behaviors/chatterbox.lua",
@@ -77,7 +77,7 @@ TEST(Messages, OfOneThatTalksTooMuchSilenceNoOther) {
   EXPECT_NE(loop.record().faults[0].fault.message.find("too many messages"), std::string::npos);
 }
 
-TEST(Messages, AreNotSentByAConditionThatOnlyLooks) {
+TEST(Messages, AreNotSentByACondition) {
   HandFedLoop loop(R"(behavior "tested" { initial = "a",
     state "a" { { "b", when = function() team.send("x") return team.heard() > 0 end } }, state "b" {} })");
   ASSERT_FALSE(loop.step(2).faults.empty());

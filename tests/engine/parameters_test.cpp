@@ -46,7 +46,7 @@ class Parameters : public ::testing::Test {
   ParameterRegistry registry;
 };
 
-TEST_F(Parameters, AChangeOfLessWeightIsRefused) {
+TEST_F(Parameters, AChangeOfLowerPrecedenceIsRefused) {
   registry.set("view.noise", "0.5", ParameterOrigin::live);
   const ParameterOutcome outcome = registry.change({"view.noise", "0.1", ParameterOrigin::file, ""});
   EXPECT_EQ(outcome.refusal,
@@ -54,7 +54,7 @@ TEST_F(Parameters, AChangeOfLessWeightIsRefused) {
   EXPECT_EQ(filter.noise, 0.5);
 }
 
-TEST_F(Parameters, ASettingIsWrittenIntoTheBoundStruct) {
+TEST_F(Parameters, AValueIsWrittenIntoTheBoundStruct) {
   registry.set("view.particles", "30", ParameterOrigin::live);
   registry.set("view.noise", "0.5", ParameterOrigin::live);
   registry.set("view.paper", "true", ParameterOrigin::live);
@@ -96,7 +96,7 @@ TEST_F(Parameters, MistakesAreToldInOneLineWithARemedy) {
   EXPECT_EQ(filter.noise, 0.05);
 }
 
-TEST_F(Parameters, ASettingMayComeBeforeItsDeclaration) {
+TEST_F(Parameters, AValueMayBeSetBeforeItsDeclaration) {
   set_early("late.x", "0.25", ParameterOrigin::command_line);
   double x = 0.0;
   registry.declare({"late.x", ParameterKind::real, 0.5, 0.0, 1.0, "", "x", {}},
@@ -104,7 +104,7 @@ TEST_F(Parameters, ASettingMayComeBeforeItsDeclaration) {
   EXPECT_EQ(x, 0.25);
 }
 
-TEST_F(Parameters, AChangeTellsWhatBecameOfIt) {
+TEST_F(Parameters, AChangeReturnsItsResult) {
   const ParameterOutcome taken = registry.change({"view.noise", "0.25", ParameterOrigin::live, ""});
   EXPECT_EQ(taken.value, "0.25");
   EXPECT_EQ(taken.refusal, "");
@@ -116,7 +116,7 @@ TEST_F(Parameters, AChangeTellsWhatBecameOfIt) {
   EXPECT_NE(unknown.refusal.find("did you mean 'view.noise'"), std::string::npos);
 }
 
-TEST_F(Parameters, ARefusalNamesWhereTheValueWasWritten) {
+TEST_F(Parameters, ARefusalContainsThePositionOfTheValue) {
   try {
     registry.set_early({"view.noise", "25", ParameterOrigin::file, "team.toml:3"});
     FAIL();
@@ -125,7 +125,7 @@ TEST_F(Parameters, ARefusalNamesWhereTheValueWasWritten) {
   }
 }
 
-TEST_F(Parameters, AFileDoesNotUndoTheCommandLine) {
+TEST_F(Parameters, AFileDoesNotReplaceAValueOfTheCommandLine) {
   registry.set("view.noise", "0.9", ParameterOrigin::command_line);
   registry.set("view.noise", "0.1", ParameterOrigin::file);
   EXPECT_EQ(filter.noise, 0.9);
@@ -138,7 +138,7 @@ TEST_F(Parameters, ThereIsOneZero) {
   EXPECT_EQ(to_text(registry.value("view.noise")), "0");
 }
 
-TEST_F(Parameters, ANameIsDeclaredOnce) { EXPECT_THROW(registry.bind("view", filter), std::runtime_error); }
+TEST_F(Parameters, ANameCannotBeDeclaredTwice) { EXPECT_THROW(registry.bind("view", filter), std::runtime_error); }
 
 RC_GTEST_PROP(ParameterText, ANumberIsReadBackAsItWasWritten, (double number)) {
   const ParameterDeclaration declaration{"x", ParameterKind::real, 0.0, -1e300, 1e300, "", "", {}};
@@ -152,7 +152,7 @@ RC_GTEST_PROP(EditDistance, IsSymmetricAndZeroForTheSame, (const std::string& le
   RC_ASSERT((edit_distance(left, right) == 0) == (left == right));
 }
 
-TEST(NearestName, PrefersExchangedLettersAndTakesAnAbbreviation) {
+TEST(NearestName, PrefersSwappedLettersAndAcceptsAnAbbreviation) {
   const std::vector<std::string> known{"set", "test", "flip_pose", "flip_posture"};
   EXPECT_EQ(nearest_name("tset", known), "test");
   EXPECT_EQ(nearest_name("flip", known), "flip_pose");

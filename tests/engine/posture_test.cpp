@@ -40,13 +40,13 @@ class Standing : public ::testing::Test {
   PostureEstimator posture;
 };
 
-TEST_F(Standing, IsUprightAtFirstAndStaysSoUnderItsWeight) {
+TEST_F(Standing, IsUprightAtFirstAndWhileItsFeetAreLoaded) {
   EXPECT_EQ(posture.posture(), Posture::upright);
   feel(felt(kStanding), 2.0);
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, LiesAtOnceBeyondTheAngleToAnySide) {
+TEST_F(Standing, LiesAtOnceIfItTiltsBeyondTheAngleInAnyDirection) {
   for (const BodySample& down :
        {felt(kStanding, 0.81), felt(kStanding, -0.81), felt(kStanding, 0.0, 0.81), felt(kStanding, 0.0, -0.81)}) {
     posture = {};
@@ -58,7 +58,7 @@ TEST_F(Standing, LiesAtOnceBeyondTheAngleToAnySide) {
   }
 }
 
-TEST_F(Standing, FallsWhenItTipsOverFastOrLeansFar) {
+TEST_F(Standing, FallsIfItTipsFastOrTiltsFar) {
   BodySample tipping = felt(kStanding, 0.0, 0.2);
   tipping.angular_velocity.y() = 2.0;
   feel(tipping, 0.1);
@@ -69,7 +69,7 @@ TEST_F(Standing, FallsWhenItTipsOverFastOrLeansFar) {
   EXPECT_EQ(posture.posture(), Posture::falling);
 }
 
-TEST_F(Standing, DoesNotFallByAKnockNorByABowThatStopsInTime) {
+TEST_F(Standing, DoesNotFallByAPushOrAShortTilt) {
   BodySample knock = felt(kStanding, 0.0, 0.12);
   knock.angular_velocity.y() = 3.0;
   feel(knock);
@@ -78,7 +78,7 @@ TEST_F(Standing, DoesNotFallByAKnockNorByABowThatStopsInTime) {
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, ThatCaughtItselfIsUprightAgain) {
+TEST_F(Standing, IsUprightAgainAfterItRecoveredItsBalance) {
   feel(felt(kStanding, 0.0, 0.5), 0.1);
   ASSERT_EQ(posture.posture(), Posture::falling);
   feel(felt(kStanding), 0.2);
@@ -87,14 +87,14 @@ TEST_F(Standing, ThatCaughtItselfIsUprightAgain) {
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, IsLiftedOnceItsFeetHangForLong) {
+TEST_F(Standing, IsLiftedAfterItsFeetAreUnloadedForLong) {
   feel(felt(0.2), 0.5);
-  EXPECT_EQ(posture.posture(), Posture::upright) << "a robot that falls has unloaded feet, too";
+  EXPECT_EQ(posture.posture(), Posture::upright) << "a falling robot also has unloaded feet";
   feel(felt(0.2), 0.2);
   EXPECT_EQ(posture.posture(), Posture::lifted);
 }
 
-TEST_F(Standing, IsLiftedSoonerWhenItGoesUpMeanwhile) {
+TEST_F(Standing, IsLiftedSoonerIfItRises) {
   feel(felt(kStanding), 1.0);
   BodySample up = felt(0.2);
   up.acceleration.z() += 3.0;
@@ -102,7 +102,7 @@ TEST_F(Standing, IsLiftedSoonerWhenItGoesUpMeanwhile) {
   EXPECT_EQ(posture.posture(), Posture::lifted);
 }
 
-TEST_F(Standing, DoesNotTakeStepsForBeingLifted) {
+TEST_F(Standing, DoesNotCountStepsAsALift) {
   for (int step = 0; step < 50; ++step) {
     feel(felt(0.2), 0.2);
     feel(felt(kStanding), 0.05);
@@ -110,7 +110,7 @@ TEST_F(Standing, DoesNotTakeStepsForBeingLifted) {
   }
 }
 
-TEST_F(Standing, IsPutDownOnceItsFeetCarryIt) {
+TEST_F(Standing, IsUprightOnceItsFeetAreLoaded) {
   feel(felt(0.2), 1.0);
   ASSERT_EQ(posture.posture(), Posture::lifted);
   feel(felt(5.0), 0.1);
@@ -119,37 +119,37 @@ TEST_F(Standing, IsPutDownOnceItsFeetCarryIt) {
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, ThatHangsInHandsLiesOnlyWhereItHasComeToRest) {
+TEST_F(Standing, LiesAfterALiftOnlyOnceItIsAtRest) {
   feel(felt(0.0), 1.0);
   ASSERT_EQ(posture.posture(), Posture::lifted);
   BodySample turned = felt(0.0, 1.5);
   turned.angular_velocity.x() = 0.5;
   feel(turned, 2.0);
-  EXPECT_EQ(posture.posture(), Posture::lifted) << "it can be carried in any attitude";
+  EXPECT_EQ(posture.posture(), Posture::lifted) << "a lifted robot can have any attitude";
   turned.angular_velocity.setZero();
   feel(turned, 0.6);
   EXPECT_EQ(posture.posture(), Posture::lying);
 }
 
-TEST_F(Standing, LiesWithUnloadedFeetAndGetsUpWithoutBeingLifted) {
+TEST_F(Standing, GetsUpWithUnloadedFeetWithoutCountingAsLifted) {
   feel(felt(0.5, 0.0, 1.5), 2.0);
   ASSERT_EQ(posture.posture(), Posture::lying);
   hints.gets_up = true;
   feel(felt(0.5, 0.0, 0.6), 1.0);
   EXPECT_EQ(posture.posture(), Posture::getting_up);
   feel(felt(0.5), 2.0);
-  EXPECT_EQ(posture.posture(), Posture::getting_up) << "its feet do not carry it yet";
+  EXPECT_EQ(posture.posture(), Posture::getting_up) << "its feet are not loaded yet";
   feel(felt(kStanding), 0.4);
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, WithoutARequestToGetUpCountsAsLifted) {
+TEST_F(Standing, CountsAsLiftedWithoutARequestToGetUp) {
   feel(felt(0.5, 0.0, 1.5), 2.0);
   feel(felt(0.0, 0.0, 0.1), 1.0);
   EXPECT_EQ(posture.posture(), Posture::lifted);
 }
 
-TEST_F(Standing, BelievesWhatTheRobotItselfReports) {
+TEST_F(Standing, UsesThePostureThatTheRobotReports) {
   hints.reported = ReportedPosture::falling;
   feel(felt(kStanding));
   EXPECT_EQ(posture.posture(), Posture::falling);
@@ -163,13 +163,13 @@ TEST_F(Standing, BelievesWhatTheRobotItselfReports) {
   feel(felt(kStanding), 0.5);
   EXPECT_EQ(posture.posture(), Posture::upright);
   feel(felt(kStanding, 0.0, 0.9), 0.5);
-  EXPECT_EQ(posture.posture(), Posture::upright) << "it knows itself that this is a bow";
+  EXPECT_EQ(posture.posture(), Posture::upright) << "the robot reports that it is upright";
 }
 
-TEST_F(Standing, WithoutFootSensorsIsLiftedByGoingUpAndPutDownByStandingStill) {
+TEST_F(Standing, WithoutFootSensorsIsLiftedByRisingAndPlacedByStandingStill) {
   standing_load.reset();
   feel(felt(0.0), 2.0);
-  ASSERT_EQ(posture.posture(), Posture::upright) << "a load of nothing says nothing";
+  ASSERT_EQ(posture.posture(), Posture::upright) << "without foot sensors a load of 0 has no meaning";
   BodySample up = felt(0.0);
   up.acceleration.z() += 3.0;
   feel(up, 0.4);
@@ -182,7 +182,7 @@ TEST_F(Standing, WithoutFootSensorsIsLiftedByGoingUpAndPutDownByStandingStill) {
   EXPECT_EQ(posture.posture(), Posture::upright);
 }
 
-TEST_F(Standing, LeavesOutWhatIsNotFiniteOrOutOfOrder) {
+TEST_F(Standing, IgnoresSamplesThatAreNotFiniteOrOutOfOrder) {
   feel(felt(kStanding), 1.0);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BodySample bad = felt(kStanding, nan);
@@ -235,7 +235,7 @@ RC_GTEST_PROP(PostureProperty, StaysFiniteAndContinuesWithItsBytes, ()) {
   }
 }
 
-/// A body of the simulator, felt a hundred times a second.
+/// A body of the simulator with 100 samples per second.
 class SimulatedBody : public ::testing::TestWithParam<bool> {
  protected:
   SimulatedBody() {
@@ -272,7 +272,7 @@ TEST_P(SimulatedBody, IsUprightWhileItWalks) {
   EXPECT_TRUE(seen.empty());
 }
 
-TEST_P(SimulatedBody, IsLiftedAndPutDown) {
+TEST_P(SimulatedBody, IsLiftedAndPlaced) {
   run(2.0);
   body->pick_up();
   run(3.0);

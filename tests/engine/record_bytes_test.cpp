@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Records as bytes, and the fingerprint of a run.
+// Records as bytes, and the digest of a run.
 #include "engine/record/record_bytes.h"
 
 #include <functional>
@@ -18,11 +18,11 @@ const std::string kBusy = R"(behavior "tested" { initial = "waiting",
   state "waiting" { update = function() head.look(0.1, 0.2) end, { "acting", after = 0.05, because = "it is time" } },
   state "acting" { enter = function() command.flip_pose() end, update = function() error("always") end } })";
 
-/// Frames in which as much as possible happens, with everything filled.
+/// Frames with as many events as possible and all topics filled.
 std::vector<FrameRecord> busy_records() {
   HandFedLoop loop(kBusy);
   loop.wanted = Topics::all();
-  loop.tell(Pose2(-2.0, 1.0, 0.5));
+  loop.set_pose(Pose2(-2.0, 1.0, 0.5));
   std::vector<FrameRecord> records;
   for (int i = 0; i < 12; ++i) {
     if (i == 4) loop.inputs.parameter_changes.push_back({"pose_filter.particles", "50", ParameterOrigin::live, ""});
@@ -40,7 +40,7 @@ std::vector<std::byte> bytes_of(const FrameRecord& record) {
   return bytes;
 }
 
-TEST(RecordBytes, ComeBackAsTheSameRecord) {
+TEST(RecordBytes, AreReadBackAsTheSameRecord) {
   bool any_reorientation = false, any_fault = false, any_log = false, any_reload = false;
   for (const FrameRecord& record : busy_records()) {
     const std::vector<std::byte> bytes = bytes_of(record);
@@ -57,10 +57,10 @@ TEST(RecordBytes, ComeBackAsTheSameRecord) {
     any_log |= !read.logs.empty();
     any_reload |= !read.reloads.empty();
   }
-  EXPECT_TRUE(any_reorientation && any_fault && any_log && any_reload) << "the frames should show all that can happen";
+  EXPECT_TRUE(any_reorientation && any_fault && any_log && any_reload) << "the frames should contain all events";
 }
 
-TEST(RecordBytes, ThatAreCutShortOrLongerAreRefused) {
+TEST(RecordBytes, AreRefusedIfTruncatedOrExtended) {
   std::vector<std::byte> bytes = bytes_of(busy_records()[3]);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 50)
     EXPECT_THROW(read_record(std::span<const std::byte>(bytes).first(size)), BadBytes) << size;
@@ -71,7 +71,7 @@ TEST(RecordBytes, ThatAreCutShortOrLongerAreRefused) {
   EXPECT_THROW(read_record(bytes), BadBytes);
 }
 
-RC_GTEST_PROP(RecordBytesProperty, ThatAreSpoiledNeverDoHarm, ()) {
+RC_GTEST_PROP(RecordBytesProperty, ThatAreDamagedNeverCrashTheReader, ()) {
   static const std::vector<std::byte> good = bytes_of(busy_records()[3]);
   std::vector<std::byte> bytes = good;
   const int changes = *rc::gen::inRange(1, 8);
@@ -88,7 +88,7 @@ RC_GTEST_PROP(RecordBytesProperty, ThatAreSpoiledNeverDoHarm, ()) {
   }
 }
 
-TEST(Topics, AreNamedOnceEachInTheirOrder) {
+TEST(Topics, HaveUniqueNamesInTheirOrder) {
   for (int i = 0; i < kTopicCount; ++i) {
     const TopicInfo& row = kTopics[static_cast<std::size_t>(i)];
     EXPECT_EQ(static_cast<int>(row.topic), i);
@@ -96,7 +96,7 @@ TEST(Topics, AreNamedOnceEachInTheirOrder) {
   }
 }
 
-/// After three frames, the second of which differs.
+/// The digest after three frames, the second of which differs.
 std::uint64_t digest_after(const std::function<void(HandFedLoop&)>& differ, const std::string& behavior = kBusy) {
   FrameSetup setup;
   setup.room_awareness = false;
@@ -115,7 +115,7 @@ TEST(RecordDigest, IsTheSameForTheSameInputs) {
   EXPECT_EQ(digest_after(nothing), digest_after(nothing));
 }
 
-TEST(RecordDigest, DoesNotDependOnWhoElseWatches) {
+TEST(RecordDigest, DoesNotDependOnTheRequestedTopics) {
   EXPECT_EQ(digest_after([](HandFedLoop& loop) { loop.wanted = Topics::all(); }), digest_after([](HandFedLoop&) {}));
 }
 

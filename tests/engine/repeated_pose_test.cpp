@@ -25,25 +25,25 @@ RepeatedPose flipped_after(const Pose2& pose) {
   return repeated;
 }
 
-TEST(RepeatedPose, UndoesAFlipWhereItIsSetFlippedAndSetAgain) {
+TEST(RepeatedPose, UndoesAFlipIfThePoseIsSetFlippedAndSetAgain) {
   RepeatedPose repeated;
-  EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 10.0, kParameters)) << "nothing was flipped";
+  EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 10.0, kParameters)) << "no flip has happened";
   repeated.note_flip(11.0);
   EXPECT_TRUE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
 }
 
-TEST(RepeatedPose, MayHaveMovedMeanwhile) {
+TEST(RepeatedPose, CountsIfTheRobotHasMovedInBetween) {
   RepeatedPose repeated = flipped_after(kSetPose);
   EXPECT_TRUE(repeated.note_set({{-1.0, 2.0}, 1.5}, reflect(kSetPose), 15.0, kParameters));
 }
 
-TEST(RepeatedPose, MayBeAtTheCenterOfTheField) {
+TEST(RepeatedPose, CountsAtTheCenterOfTheField) {
   const Pose2 center({0.1, 0.0}, 0.0);
   RepeatedPose repeated = flipped_after(center);
   EXPECT_TRUE(repeated.note_set(center, Pose2({0.2, 0.1}, 3.0), 15.0, kParameters));
 }
 
-TEST(RepeatedPose, IsAnotherOneWhereTheRobotWasCarriedMeanwhile) {
+TEST(RepeatedPose, DoesNotCountIfTheRobotWasLiftedInBetween) {
   RepeatedPose repeated = flipped_after(kSetPose);
   repeated.forget();
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
@@ -55,12 +55,12 @@ TEST(RepeatedPose, UndoesNothingWithoutASetPose) {
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
 }
 
-TEST(RepeatedPose, AgreesWithTheFlipWhereItIsNearTheBelief) {
+TEST(RepeatedPose, ConfirmsTheFlipIfItIsNearTheBelief) {
   RepeatedPose repeated = flipped_after(kSetPose);
   EXPECT_FALSE(repeated.note_set(reflect(kSetPose), reflect(kSetPose), 15.0, kParameters));
 }
 
-TEST(RepeatedPose, UndoesNothingThatIsLongAgo) {
+TEST(RepeatedPose, UndoesNothingAfterTheTimeLimit) {
   for (const auto& [flipped, set] : {std::pair(11.0, 11.0 + kParameters.within), {10.0 + kParameters.within, 60.0}}) {
     RepeatedPose repeated;
     repeated.note_set(kSetPose, {}, 10.0, kParameters);
@@ -69,30 +69,30 @@ TEST(RepeatedPose, UndoesNothingThatIsLongAgo) {
   }
 }
 
-TEST(RepeatedPose, BeginsAgainAfterATurn) {
+TEST(RepeatedPose, RestartsAfterARotationOfTheRoom) {
   RepeatedPose repeated = flipped_after(kSetPose);
   ASSERT_TRUE(repeated.note_set(kSetPose, reflect(kSetPose), 15.0, kParameters));
   repeated.note_flip(16.0);
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 17.0, kParameters));
 }
 
-TEST(RepeatedPose, IsIgnoredWhereTheTimeIsZero) {
+TEST(RepeatedPose, IsIgnoredIfTheTimeLimitIsZero) {
   RepeatedPose repeated;
   repeated.note_set(kSetPose, {}, 10.0, {.within = 0.0});
   repeated.note_flip(10.0);
   EXPECT_FALSE(repeated.note_set(kSetPose, reflect(kSetPose), 10.0, {.within = 0.0}));
 }
 
-/// A robot that learns the room while it believes the mirrored pose, and flips where its parameter asks for it.
+/// A robot that learns the room while it believes the mirrored pose, and flips if a parameter requests it.
 class LearnedMirrored : public ::testing::Test {
  protected:
   static constexpr const char* kTurnsAndFlips = R"(
-    local p = param { flip = { false, doc = "whether it flips now" } }
+    local p = param { flip = { false, doc = "whether the robot flips now" } }
     behavior "tested" { initial = "turning",
       update = function() walk.velocity(0, 0, 0.6) end,
-      state "turning" { { "flipping", when = function() return p.flip end, because = "it is asked to" } },
+      state "turning" { { "flipping", when = function() return p.flip end, because = "the parameter requests it" } },
       state "flipping" { enter = function() command.flip_pose() end,
-        { "turning", when = function() return not p.flip end, because = "it is done" } } })";
+        { "turning", when = function() return not p.flip end, because = "the flip is done" } } })";
 
   LearnedMirrored() : simulator_(parameters(), RobotBody(), FieldDimensions(), procedural_hall(1, {}), kSetPose, 1) {
     FrameSetup setup;
@@ -138,10 +138,10 @@ class LearnedMirrored : public ::testing::Test {
   std::vector<std::string> notes_;
 };
 
-TEST_F(LearnedMirrored, SpeaksAgainstTheTruePoseUntilThatIsSetAgain) {
+TEST_F(LearnedMirrored, ContradictsTheTruePoseUntilThatIsSetAgain) {
   set_truth();
   run(3.0);
-  EXPECT_GT(evidence(), 5.0) << "the learned room is rotated by 180 degrees";
+  EXPECT_GT(evidence(), 5.0) << "the learned room must be rotated by 180 degrees";
   flip();
   set_truth();
   run(3.0);
@@ -150,7 +150,7 @@ TEST_F(LearnedMirrored, SpeaksAgainstTheTruePoseUntilThatIsSetAgain) {
   EXPECT_NE(notes_.front().find("rotated by 180 degrees"), std::string::npos);
 }
 
-TEST_F(LearnedMirrored, KeepsItsRoomWhereTheRobotWasLiftedBeforeThePoseIsSetAgain) {
+TEST_F(LearnedMirrored, KeepsItsRoomIfTheRobotWasLiftedBeforeThePoseIsSetAgain) {
   set_truth();
   run(3.0);
   flip();
@@ -164,7 +164,7 @@ TEST_F(LearnedMirrored, KeepsItsRoomWhereTheRobotWasLiftedBeforeThePoseIsSetAgai
   EXPECT_TRUE(notes_.empty());
 }
 
-TEST_F(LearnedMirrored, ContinuesTheSameWayAfterASavedState) {
+TEST_F(LearnedMirrored, ContinuesTheSameAfterASavedState) {
   set_truth();
   run(3.0);
   flip();

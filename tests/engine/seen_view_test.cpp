@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// A robot that has learned its room for a minute, all around, and was then carried to another place.
+/// A robot that has learned the whole room for a minute and was then placed at another position.
 test::ScanningRobot carried_robot(const test::PaintedRoom& room) {
   test::ScanningRobot robot(room, RoomParameters(), 1);
   for (int i = 0; i < 8; ++i) {
@@ -24,7 +24,7 @@ test::ScanningRobot carried_robot(const test::PaintedRoom& room) {
   return robot;
 }
 
-/// The odometry of such a robot never turns.
+/// The odometry of such a robot never rotates.
 std::optional<SeenView> view_of(const test::ScanningRobot& robot) {
   return seen_view(robot.awareness, 0.0, SeenViewParameters());
 }
@@ -37,12 +37,12 @@ TEST(SeenView, GivesTheHeadingOfARobotWhoseBeliefIsWrong) {
   EXPECT_LT(std::abs(angle_difference(heading, robot.truth.rotation)), 2.0 * view->deviation);
 }
 
-TEST(SeenView, IsNothingWhereTheRoomLooksTheSameAfterHalfATurn) {
+TEST(SeenView, IsMissingInARoomThatLooksTheSameAfterARotationBy180Degrees) {
   EXPECT_FALSE(view_of(carried_robot(test::PaintedRoom::symmetric(1))));
   EXPECT_FALSE(view_of(carried_robot(test::PaintedRoom::plain())));
 }
 
-TEST(SeenView, IsNothingBeforeAnythingWasLearned) {
+TEST(SeenView, IsMissingBeforeTheRoomIsLearned) {
   test::ScanningRobot robot(test::PaintedRoom::colorful(1), RoomParameters(), 1);
   EXPECT_FALSE(view_of(robot));
   robot.train = false;

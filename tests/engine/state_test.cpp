@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame is a function: the same state and the same inputs give the same record for any observer, in any process.
+// The same state and the same inputs give the same record for any observer, in any process.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +25,7 @@ const std::vector<Bytes>& run() {
   return frames;
 }
 
-/// What is always filled, and the reproducible rest where the record has it.
+/// The topics that are always filled, and the other reproducible topics that the record contains.
 Bytes content_of(const FrameRecord& record) {
   Bytes bytes;
   for (const TopicInfo& topic : kTopics) {
@@ -58,7 +58,7 @@ std::vector<Bytes> records(FrameLoop& engine, int begin, int end, Topics wanted 
   return all;
 }
 
-TEST(Inputs, ComeBackFromBytesAsTheyWere) {
+TEST(Inputs, AreReadBackFromBytesUnchanged) {
   for (const Bytes& bytes : run()) {
     Bytes again;
     write_inputs(StoredInputs(bytes).inputs(), again);
@@ -78,11 +78,11 @@ TEST(Inputs, GiveTheSameRecordsForAnyObserver) {
     fault |= !record.faults.empty();
     reload |= !record.reloads.empty();
   }
-  EXPECT_TRUE(granted && fault && reload) << "the run should show all that can happen";
+  EXPECT_TRUE(granted && fault && reload) << "the run should contain all events";
   EXPECT_EQ(state_of(watched), state_of(alone));
 }
 
-TEST(Inputs, ThatAreCutShortOrOfAnotherKindAreRefused) {
+TEST(Inputs, AreRefusedIfTruncatedOrOfAnotherFormat) {
   const Bytes& good = run()[0];
   for (std::size_t size = 0; size < good.size(); size += 1 + good.size() / 50)
     EXPECT_THROW(StoredInputs(std::span(good).first(size)), BadBytes);
@@ -94,7 +94,7 @@ TEST(Inputs, ThatAreCutShortOrOfAnotherKindAreRefused) {
   EXPECT_THROW(StoredInputs{bad}, BadBytes);
 }
 
-/// One loop that runs through: its state before each frame, and its records.
+/// One loop that runs without interruption: its state before each frame, and its records.
 struct Uninterrupted {
   std::vector<Bytes> states;
   std::vector<Bytes> records;
@@ -109,7 +109,7 @@ struct Uninterrupted {
   }
 };
 
-RC_GTEST_PROP(State, SavedAndRestoredGoesOnTheSame, ()) {
+RC_GTEST_PROP(State, SavedAndRestoredContinuesTheSame, ()) {
   static const Uninterrupted whole;
   constexpr int kLength = 20;
   const auto begin = *rc::gen::inRange(0, kFrames - kLength);
@@ -122,14 +122,14 @@ RC_GTEST_PROP(State, SavedAndRestoredGoesOnTheSame, ()) {
   RC_ASSERT(state_of(restored) == whole.states[static_cast<std::size_t>(begin + kLength)]);
 }
 
-TEST(State, BeforeTheFirstFrameIsOneToo) {
+TEST(State, CanBeSavedBeforeTheFirstFrame) {
   FrameLoop engine(eventful_setup());
   const Bytes state = state_of(engine);
   FrameLoop restored{std::span<const std::byte>(state)};
   EXPECT_EQ(records(restored, 0, 60), records(engine, 0, 60));
 }
 
-TEST(State, OfARobotWithoutRoomAwarenessIsRestoredToo) {
+TEST(State, OfARobotWithoutRoomAwarenessIsRestored) {
   FrameSetup setup = eventful_setup();
   setup.room_awareness = false;
   FrameLoop engine(std::move(setup));
@@ -139,7 +139,7 @@ TEST(State, OfARobotWithoutRoomAwarenessIsRestoredToo) {
   EXPECT_EQ(records(restored, 60, 120), records(engine, 60, 120));
 }
 
-TEST(State, CarriesAScriptThatIsOnTrialAndTheVersionToFallBackTo) {
+TEST(State, ContainsAScriptOnTrialAndTheVersionForARollback) {
   const char* const good = "behavior \"b\" { update = function() log.info(\"good\") end }";
   const char* const bad = "behavior \"b\" { update = function() error(\"bad\") end }";
   FrameSetup setup;
@@ -178,8 +178,8 @@ Bytes read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-/// The second process: continues with the state in the file that the environment names, and prints what comes out.
-TEST(StateInAnotherProcess, DISABLED_GoesOn) {
+/// The second process: continues with the state from the file that the environment names, and prints the records.
+TEST(StateInAnotherProcess, DISABLED_Continues) {
   const char* const file = std::getenv("REORIENT_TEST_STATE");
   ASSERT_NE(file, nullptr);
   const Bytes state = read_bytes(file);
@@ -187,7 +187,7 @@ TEST(StateInAnotherProcess, DISABLED_GoesOn) {
   for (const Bytes& record : records(restored, 240, 480)) std::printf("record %s\n", digits(record).c_str());
 }
 
-TEST(State, GoesOnTheSameInAnotherProcess) {
+TEST(State, ContinuesTheSameInAnotherProcess) {
   FrameLoop engine(eventful_setup());
   records(engine, 0, 240);
   const Bytes state = state_of(engine);
@@ -201,16 +201,16 @@ TEST(State, GoesOnTheSameInAnotherProcess) {
                               " --gtest_also_run_disabled_tests --gtest_filter='StateInAnotherProcess.*' 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");
   ASSERT_NE(pipe, nullptr);
-  std::string said;
+  std::string output;
   std::array<char, 256> line{};
   while (std::fgets(line.data(), line.size(), pipe) != nullptr) {
-    if (std::string_view(line.data()).starts_with("record ")) said += line.data();
+    if (std::string_view(line.data()).starts_with("record ")) output += line.data();
   }
   EXPECT_EQ(pclose(pipe), 0);
-  EXPECT_EQ(said, expected);
+  EXPECT_EQ(output, expected);
 }
 
-TEST(State, ThatIsCutShortOrOfAnotherKindIsRefused) {
+TEST(State, IsRefusedIfTruncatedOrOfAnotherFormat) {
   FrameLoop engine(eventful_setup());
   records(engine, 0, 30, {});
   Bytes state = state_of(engine);
@@ -223,7 +223,7 @@ TEST(State, ThatIsCutShortOrOfAnotherKindIsRefused) {
   EXPECT_THROW(FrameLoop{std::span<const std::byte>(state)}, BadBytes);
 }
 
-RC_GTEST_PROP(State, ThatIsSpoiledNeverDoesHarm, ()) {
+RC_GTEST_PROP(State, ThatIsDamagedNeverCrashesTheReader, ()) {
   static const Bytes good = [] {
     FrameLoop engine(eventful_setup());
     records(engine, 0, 90, {});
@@ -232,7 +232,7 @@ RC_GTEST_PROP(State, ThatIsSpoiledNeverDoesHarm, ()) {
   Bytes state = good;
   const int changes = *rc::gen::inRange(1, 6);
   for (int i = 0; i < changes; ++i) {
-    // The filters lie at the front, the texts at the end.
+    // The filters are at the start, the texts at the end.
     const std::size_t range = *rc::gen::arbitrary<bool>() ? state.size() : std::min<std::size_t>(state.size(), 4000);
     state[*rc::gen::inRange<std::size_t>(0, range)] = static_cast<std::byte>(*rc::gen::inRange(0, 256));
   }

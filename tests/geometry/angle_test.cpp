@@ -23,7 +23,7 @@ TEST(Angle, DifferenceIsTheShorterArcAcrossTheSeam) {
   EXPECT_NEAR(angle_difference(from_degrees(179.0), from_degrees(-179.0)), from_degrees(-2.0), 1e-12);
 }
 
-RC_GTEST_PROP(Angle, NormalizedKeepsItsDirectionAndItsRange, ()) {
+RC_GTEST_PROP(Angle, NormalizedHasTheSameDirectionAndIsInRange, ()) {
   const double angle = *rc::gen::inRange(-1'000'000, 1'000'000) * 1e-3;
   const double normalized = normalize_angle(angle);
   RC_ASSERT(normalized > -kPi);

@@ -103,7 +103,7 @@ TEST(Bytes, AreRefusedIfTruncatedAtAnyPosition) {
   }
 }
 
-TEST(Bytes, AreRefusedIfSomeAreLeftOver) {
+TEST(Bytes, AreRefusedIfBytesRemain) {
   std::vector<std::byte> bytes = bytes_of({});
   bytes.push_back({});
   Everything value;

@@ -64,7 +64,7 @@ RC_GTEST_PROP(Lens, WithEightCoefficientsProjectsARayToItsPixel, ()) {
   expect_agreement(camera);
 }
 
-RC_GTEST_PROP(Lens, OfAFisheyeProjectsARayToItsPixelAlsoBeyond90Degrees, ()) {
+RC_GTEST_PROP(Lens, OfAFisheyeProjectsARayToItsPixelEvenBeyond90Degrees, ()) {
   const double span = between(100.0, 200.0);
   Lens lens;
   lens.projection = CameraProjection::fisheye;

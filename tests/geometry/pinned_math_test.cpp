@@ -75,7 +75,7 @@ TEST(PinnedMath, HandlesTheLimitsOfTheNumberRange) {
   EXPECT_TRUE(std::isnan(pinned::atan2(nan, 1.0)));
 }
 
-TEST(PinnedMath, GivesTheSameBitsForManyAsForOne) {
+TEST(PinnedMath, GivesTheSameBitsForVectorsAsForSingleNumbers) {
   Random random(2);
   for (const std::size_t size : {0, 1, 2, 3, 4, 5, 6, 7, 8, 33, 300}) {
     std::vector<double> values(size), sines(size), cosines(size);

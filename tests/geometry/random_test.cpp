@@ -6,7 +6,7 @@
 namespace reorient {
 namespace {
 
-TEST(Random, RepeatsASeedAndDiffersBetweenSeedsAndStreams) {
+TEST(Random, IsTheSameForTheSameSeedAndDiffersBetweenSeedsAndStreams) {
   Random first(7), same(7), other_seed(8), other_stream(7, 1);
   const auto value = first();
   EXPECT_EQ(value, same());
@@ -14,7 +14,7 @@ TEST(Random, RepeatsASeedAndDiffersBetweenSeedsAndStreams) {
   EXPECT_NE(value, other_stream());
 }
 
-TEST(Random, BeginsWithTheRecordedNumbers) {
+TEST(Random, StartsWithTheRecordedNumbers) {
   // Recorded once. A change of these numbers changes every digest.
   Random random(1);
   EXPECT_EQ(random(), 14971601782005023387ull);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the words of a script stand.
+// The tokens of a script and their positions.
 #include "engine/script/source/lua_tokens.h"
 
 #include <string>
@@ -34,7 +34,7 @@ TEST(LuaTokens, AreSplitAsLuaDoes) {
             (std::vector<std::string>{"a", "<=", "b", ">=", "c", "~=", "d", "::", "e", "<<", "f"}));
 }
 
-TEST(LuaTokens, KnowTheirKind) {
+TEST(LuaTokens, HaveTheirType) {
   const std::vector<LuaToken> tokens = lua_tokens("local name = 'text' .. 3");
   EXPECT_TRUE(tokens[0].is_keyword("local"));
   EXPECT_TRUE(tokens[1].is(Kind::name, "name"));
@@ -44,7 +44,7 @@ TEST(LuaTokens, KnowTheirKind) {
   EXPECT_EQ(tokens[6].kind, Kind::end);
 }
 
-TEST(LuaTokens, StandAtLineAndColumnFromOneOn) {
+TEST(LuaTokens, HaveLinesAndColumnsThatStartAtOne) {
   const std::vector<LuaToken> tokens = lua_tokens("a\n  bc [[x\ny]] d");
   EXPECT_EQ(tokens[1].position.line, 2);
   EXPECT_EQ(tokens[1].position.column, 3);
@@ -52,7 +52,7 @@ TEST(LuaTokens, StandAtLineAndColumnFromOneOn) {
   EXPECT_EQ(tokens[3].position.column, 5);
 }
 
-RC_GTEST_PROP(LuaTokensProperty, StandWhereTheySayInOrderWhateverTheTextIs, ()) {
+RC_GTEST_PROP(LuaTokensProperty, AreInOrderAtTheirPositionsForAnyText, ()) {
   const auto pieces = *rc::gen::container<std::vector<std::string>>(
       rc::gen::element<std::string>("a", "when", "=", "{", "}", "(", ")", "\"x\"", "'y'", "[[z]]", "--c\n", "\n", " ",
                                     ".", "..", "3", "\\", "\"", "[", "]", "-", "\x80", "state", "=="));
@@ -81,7 +81,7 @@ RC_GTEST_PROP(LuaTokensProperty, StandWhereTheySayInOrderWhateverTheTextIs, ()) 
   }
 }
 
-TEST(SourceLocations, FindsTransitionsOfOneNameInTheirOrder) {
+TEST(SourceLocations, FindsTransitionsToOneTargetInTheirOrder) {
   const SourceLocations places(R"(behavior "b" {
   common = { { "x", when = f } },
   state "x" {
@@ -96,12 +96,12 @@ TEST(SourceLocations, FindsTransitionsOfOneNameInTheirOrder) {
   SourceLocations::Table x = places.table("state", "x", 3);
   EXPECT_EQ(places.transition(x, "y", false)->column, 7);
   EXPECT_EQ(places.transition(x, "y", false)->column, 26);
-  EXPECT_FALSE(places.transition(x, "y", false)) << "there is no third one";
+  EXPECT_FALSE(places.transition(x, "y", false)) << "the text has only two transitions";
   SourceLocations::Table inner = places.table("state", "inner", 5);
   EXPECT_EQ(places.transition(inner, "y", false)->line, 5);
 }
 
-TEST(SourceLocations, SettlesForTheLineOfWhatAFunctionMade) {
+TEST(SourceLocations, FindsTheLineOfAStateThatAFunctionMade) {
   const SourceLocations places("state \"a\" (make())\nstate(name) {}\n");
   SourceLocations::Table made = places.table("state", "a", 1);
   EXPECT_EQ(made.position.column, 7);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The string functions of scripts against Lua's own.
+// Compares the string functions of scripts with Lua's own.
 #include "engine/script/sandbox/pattern.h"
 
 #include <string>
@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-/// All results of an expression as one text, in a given Lua.
+/// All results of an expression as one text, in this Lua state.
 std::string evaluate(lua_State* L, const std::string& expression) {
   const int top = lua_gettop(L);
   std::string out;
@@ -53,8 +53,8 @@ class Patterns : public ::testing::Test {
   lua_State* original_;
 };
 
-/// Found by tools/fuzz: a set's end and its ranges are looked for one after the other.
-TEST_F(Patterns, ReadSetsWithRangesThatEndInAPercentSignAsLuaDoes) {
+/// A bug that tools/fuzz found: the end of a set and its ranges are searched one after the other.
+TEST_F(Patterns, ParseSetsWithRangesThatEndInAPercentSignAsLuaDoes) {
   for (const char* pattern :
        {"[f[-%]]", "[a-%%]", "[!-%a]", "[%a-z]", "[a-]", "[]-a]", "[^]-a]", "[a-%]", "[%]-a]", "[--%]"}) {
     for (const char* subject : {"[f[-%]]", "]", "a", "%", "-", "z", "\"#", "m^"}) {
@@ -75,7 +75,7 @@ TEST_F(Patterns, FindAndMatchAsLuaDoes) {
         "('0x1F'):match('%x+$')", "('a\\0b'):find('\\0')", "('a\\0b'):find('%z')", "('a\\0b'):match('%Z+')",
         "('abc'):match('((a)(b))')", "('hello'):find('l', -2)", "('hello'):find('h', -99)", "('abc'):match('a*?')",
         "('aaa'):match('a-b')", "('aaab'):match('a-b')", "('[test]'):match('^%[(.*)%]$')",
-        // malformed ones
+        // malformed patterns
         "('x'):find('[')", "('x'):find('[a')", "('x'):find('(')", "('x'):find(')')", "('x'):find('%')",
         "('x'):find('%b')", "('x'):find('%f')", "('x'):find('%1')", "('x'):find('[%')"}) {
     expect_same(expression);
@@ -95,7 +95,7 @@ TEST_F(Patterns, ReplaceAsLuaDoes) {
   }
 }
 
-TEST_F(Patterns, GoThroughAllMatchesAsLuaDoes) {
+TEST_F(Patterns, IterateOverAllMatchesAsLuaDoes) {
   const std::string collect =
       "(function(s, p) local all = '' for a, b in s:gmatch(p) do all = all .. tostring(a) .. ',' .. "
       "tostring(b) .. ';' end return all end)";
@@ -114,7 +114,7 @@ TEST_F(Patterns, RepeatAndFormatAsLuaDoes) {
   }
 }
 
-RC_GTEST_FIXTURE_PROP(Patterns, ARandomPatternMatchesAsLuasOwn, ()) {
+RC_GTEST_FIXTURE_PROP(Patterns, ARandomPatternMatchesAsInLua, ()) {
   const std::string letters = "ab.*+-?()[]^$%ad1";
   const auto pattern = *rc::gen::resize(11, rc::gen::container<std::string>(rc::gen::elementOf(letters)));
   const auto subject = *rc::gen::resize(11, rc::gen::container<std::string>(rc::gen::element('a', 'b', '1', '(')));
@@ -122,13 +122,13 @@ RC_GTEST_FIXTURE_PROP(Patterns, ARandomPatternMatchesAsLuasOwn, ()) {
     std::string expression = "string.";
     expression.append(function).append("('").append(subject).append("', '").append(pattern).append("')");
     const std::string seen = evaluate(safe_.state(), expression);
-    // Lua notices a malformed pattern only when a search comes to the place; here it is refused beforehand.
+    // Lua detects a malformed pattern only if a search reaches the position; here it is refused before the search.
     if (seen != "error") RC_ASSERT(seen == evaluate(original_, expression));
     if (seen == "error") RC_ASSERT(is_malformed(pattern));
   }
 }
 
-TEST(Pattern, EveryStepIsPaidFor) {
+TEST(Pattern, EveryStepHasACost) {
   std::int64_t steps = 1000;
   EXPECT_THROW(Pattern(".-.-.-b").search(std::string(700, 'a'), 0, steps), PatternTooCostly);
   EXPECT_LT(steps, 0);

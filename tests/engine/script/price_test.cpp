@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What takes time is paid for in instructions, also where no instruction is executed: a budget of instructions is only
-// worth as much as the most expensive thing that it does not count.
+// All work has a cost in instructions, even if no instruction is executed. A budget of instructions limits the time
+// only if it includes the most expensive work.
 #include <sys/resource.h>
 
 #include "tests/engine/script/script_fixture.h"
@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-/// The most memory that this program ever had, in KiB.
+/// The largest memory that this program has used so far, in KiB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -17,7 +17,7 @@ long peak_memory() {
 
 class Prices : public ScriptTest {
  protected:
-  /// How often the body of an endless loop runs until the budget is used up.
+  /// Number of rounds of an endless loop with this body until the budget is used up.
   lua_Integer rounds(const std::string& before, const std::string& body) {
     Sandbox sandbox{limits};
     lua_State* const L = sandbox.state();
@@ -43,64 +43,65 @@ TEST_F(Prices, AnErrorCostsMoreThanAnInstruction) {
   EXPECT_LT(rounds("local t = setmetatable({}, { __close = error })", "pcall(function() local x <close> = t end)"), 30);
 }
 
-TEST_F(Prices, WhatDoesNotFailIsAsCheapAsBefore) { EXPECT_GT(rounds("", "pcall(type, 1)"), 4000); }
+TEST_F(Prices, ACallWithoutAnErrorHasNoExtraCost) { EXPECT_GT(rounds("", "pcall(type, 1)"), 4000); }
 
-TEST_F(Prices, ANumberInALongTextIsPaidByItsLetters) {
+TEST_F(Prices, TheCostOfReadingANumberGrowsWithTheLengthOfTheText) {
   EXPECT_LT(rounds("local text = (' '):rep(4000)", "tonumber(text)"), 15);
   EXPECT_LT(rounds("local text = ('1'):rep(4000)", "tonumber(text, 36)"), 15);
 }
 
-TEST_F(Prices, InstructionsThatReadALongTextAreDearer) {
+TEST_F(Prices, InstructionsThatReadALongTextCostMore) {
   EXPECT_LT(rounds("local text = (' '):rep(4000) .. '1'", "for i = 1, text do break end"), 500);
   EXPECT_LT(rounds("local text = (' '):rep(4000) .. '1'", "local x = math.floor(text)"), 500);
   EXPECT_GT(rounds("local text = (' '):rep(40) .. '1'", "for i = 1, text do break end"), 3000);
 }
 
-TEST_F(Prices, AReplacementIsPaidByItsPartsAlsoWhereTheyAreEmpty) {
+TEST_F(Prices, TheCostOfAReplacementGrowsWithItsPartsEvenIfTheyAreEmpty) {
   EXPECT_LT(rounds("local parts = ('%1'):rep(2000)", "local _ = ('x'):gsub('x(y*)', parts)"), 30);
   EXPECT_LT(rounds("local parts = ('%%'):rep(2000)", "local _ = ('x'):gsub('x', parts)"), 30);
   EXPECT_GT(rounds("", "local _ = ('x'):gsub('x', '%0')"), 2000);
 }
 
-TEST_F(Prices, AReplacementThatIsTooLongIsNotMadeFirst) {
+TEST_F(Prices, AReplacementThatIsTooLongIsRefusedBeforeItIsMade) {
   limits.string_length = 64 * 1024;
   limits.instructions_per_frame = 1'000'000;
   const long before = peak_memory();
   rounds("local text, all = ('x'):rep(16000), ('%0'):rep(16000)", "pcall(string.gsub, text, '^.*', all)");
-  EXPECT_LT(peak_memory() - before, 64 * 1024) << "all of it would be 250 MiB";
+  EXPECT_LT(peak_memory() - before, 64 * 1024) << "the whole text would have 250 MiB";
 }
 
-TEST_F(Prices, EachCircleOfCallsTakesAWholeBudget) {
+TEST_F(Prices, EachCycleOfCallsCostsAWholeBudget) {
   EXPECT_LT(rounds("local t = {} setmetatable(t, { __call = t })", "pcall(t)"), 3);
 }
 
-TEST_F(Prices, InstructionsAreDearerTheLongerTheirChainsOfMetatablesMayBe) {
+TEST_F(Prices, InstructionsCostMoreWithLongerChainsOfMetatables) {
   const std::string chain = "local t = {} for i = 1, COUNT do t = setmetatable({}, { __index = t }) end";
   const auto of = [&](const char* count) { return std::string(chain).replace(chain.find("COUNT"), 5, count); };
   EXPECT_LT(rounds(of("32"), "local _ = t.x"), 3000);
-  EXPECT_EQ(rounds(of("7"), "local _ = t.x"), rounds(of("0"), "local _ = t.x")) << "a few kinds of tables cost nothing";
+  EXPECT_EQ(rounds(of("7"), "local _ = t.x"), rounds(of("0"), "local _ = t.x"))
+      << "a few metatables have no extra cost";
 }
 
-TEST_F(Prices, ATableThatIsMadeForAnotherSizeIsPaidByIts) {
+TEST_F(Prices, TheCostOfResizingATableGrowsWithItsSize) {
   const std::string large = "local t, k = {}, 1 << 40 for i = 1, 16384 do t[i] = i end t[k] = 1";
   EXPECT_LT(rounds(large, "k = k + 2 t[k] = 1 t[k] = nil"), 100);
   EXPECT_GT(rounds("", "local t = {} t.a = 1 t.b = 2 t.c = 3"), 1000);
 }
 
-TEST_F(Prices, AWalkThroughATableIsPaidByItsPlacesAlsoWhereTheyAreEmpty) {
+TEST_F(Prices, TheCostOfIteratingATableGrowsWithItsSlotsEvenIfTheyAreEmpty) {
   const std::string emptied = "local t = {} for i = 1, 16384 do t[i] = i end for i = 1, 16384 do t[i] = nil end";
   EXPECT_LT(rounds(emptied, "pairs(t)"), 100);
   EXPECT_GT(rounds("local t = { x = 1, y = 2 }", "pairs(t)"), 1500);
 }
 
-TEST_F(Prices, SortingLongTextsIsDearer) {
+TEST_F(Prices, SortingLongTextsCostsMore) {
   const std::string same = "local text, t = ('x'):rep(COUNT), {} for i = 1, 100 do t[i] = text end";
   const auto of = [&](const char* count) { return std::string(same).replace(same.find("COUNT"), 5, count); };
   EXPECT_LT(rounds(of("4000"), "table.sort(t)"), 4);
   EXPECT_GT(rounds(of("40"), "table.sort(t)"), 60);
 }
 
-TEST_F(Prices, ACallOfTheEngineIsDearerThanAnInstruction) {
+TEST_F(Prices, ACallOfTheEngineCostsMoreThanAnInstruction) {
   load("looker", R"(local memory = keep { looks = 0 }
     behavior "looker" { update = function()
       if memory.looks > 0 then log.info(memory.looks) memory.looks = 0 return end
@@ -111,9 +112,9 @@ TEST_F(Prices, ACallOfTheEngineIsDearerThanAnInstruction) {
   EXPECT_LT(std::stoi(logs[0]), 3500);
 }
 
-TEST_F(Prices, WritingANumberIsPaidForToo) { EXPECT_LT(rounds("", "tostring(1.5)"), 1000); }
+TEST_F(Prices, WritingANumberHasACost) { EXPECT_LT(rounds("", "tostring(1.5)"), 1000); }
 
-TEST_F(Prices, AskingForAnotherMachineIsPaidForToo) {
+TEST_F(Prices, ReadingAnotherMachineHasACost) {
   load("one", R"(local memory = keep { asked = 0 }
     behavior "one" { update = function()
       if memory.asked > 0 then log.info(memory.asked) memory.asked = 0 return end
@@ -139,7 +140,7 @@ TEST_F(Prices, NoInstructionCopiesThousandsOfValues) {
   EXPECT_TRUE(logs.empty());
 }
 
-TEST_F(Prices, VariablesThatAreClosedByOpeningOthersComeToAnEnd) {
+TEST_F(Prices, VariablesWhoseCloseOpensOthersEnd) {
   load("evil", R"(local kind = {}
     local one = setmetatable({}, kind)
     local function open()
@@ -154,7 +155,7 @@ TEST_F(Prices, VariablesThatAreClosedByOpeningOthersComeToAnEnd) {
   EXPECT_TRUE(status("evil").stopped);
 }
 
-TEST_F(Prices, ForLoopsThatAreClosedByOpeningOthersComeToAnEnd) {
+TEST_F(Prices, ForLoopsWhoseCloseOpensOthersEnd) {
   load("evil", R"(local kind = {}
     local one = setmetatable({}, kind)
     local function open()
@@ -169,7 +170,7 @@ TEST_F(Prices, ForLoopsThatAreClosedByOpeningOthersComeToAnEnd) {
   EXPECT_TRUE(status("evil").stopped);
 }
 
-TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
+TEST_F(Prices, KeptTextsCountAtEachPosition) {
   limits.instructions_per_frame = 10'000'000;
   const std::string text = R"(local memory = keep {}
     behavior "b" { enter = function() local long = ("x"):rep(4000) for i = 1, 5000 do memory[i] = long end end })";
@@ -184,12 +185,12 @@ TEST_F(Prices, KeptMemoryCountsInEachPlaceWhereItStands) {
   EXPECT_LE(status("b").memory, static_cast<std::size_t>(limits.max_memory) * 1024);
 }
 
-TEST_F(Prices, OneTableIsNotKeptThousandsOfTimes) {
+TEST_F(Prices, ATableIsNotStoredThousandsOfTimes) {
   const ScriptFault fault = refusal("local t = {} for i = 1, 3000 do keep(t) end behavior \"refused\" {}");
   EXPECT_NE(fault.message.find("too many keep { } (expected at most 100)"), std::string::npos) << fault.text();
 }
 
-TEST_F(Prices, AFewLinesDoNotMakeMillionsOfTransitions) {
+TEST_F(Prices, TheNumberOfTransitionsIsLimited) {
   const ScriptFault fault = refusal(R"(local many = {}
     local one = { "a", after = 1 }
     for i = 1, 20000 do many[i] = one end
@@ -200,7 +201,7 @@ TEST_F(Prices, AFewLinesDoNotMakeMillionsOfTransitions) {
   EXPECT_NE(fault.message.find("too many transitions"), std::string::npos) << fault.text();
 }
 
-TEST_F(Prices, TheEndOfTheBudgetSaysWhere) {
+TEST_F(Prices, TheEndOfTheBudgetIsReportedWithItsPosition) {
   load("evil", "behavior \"evil\" {\n  update = function()\n    while true do end\n  end }");
   tick();
   ASSERT_EQ(faults.size(), 1u);

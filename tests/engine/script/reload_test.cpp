@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What survives a reload, and what becomes of a broken one.
+// Reloads: the data that survive, and reloads with invalid scripts.
 #include "tests/engine/script/script_fixture.h"
 
 namespace reorient {
@@ -37,7 +37,7 @@ TEST_F(ScriptReload, StateTimersMemoryAndLeasesSurvive) {
   EXPECT_EQ(transitions.size(), 2u) << "a reload is no transition";
 }
 
-TEST_F(ScriptReload, CanBeAskedForThoughNothingChanged) {
+TEST_F(ScriptReload, CanBeRequestedWithoutAChange) {
   const std::string text = R"(behavior "b" { initial = "one",
     state "one" { update = function() if robot.penalized then error("stopped") end log.info("runs") end } })";
   load("b", text);
@@ -50,7 +50,7 @@ TEST_F(ScriptReload, CanBeAskedForThoughNothingChanged) {
   const std::vector<ScriptEdit> saved{{"behaviors/b.lua", same}}, asked{{"behaviors/b.lua", same, true}};
   EXPECT_TRUE(host().apply(saved).empty());
   const std::vector<ReloadRecord> reports = host().apply(asked);
-  ASSERT_EQ(reports.size(), 1u) << "the other has nothing to do with it";
+  ASSERT_EQ(reports.size(), 1u) << "the other script must not be reloaded";
   EXPECT_EQ(reports[0].script, "behaviors/b.lua");
   EXPECT_TRUE(reports[0].accepted);
   tick();
@@ -68,7 +68,7 @@ TEST_F(ScriptReload, DwellContinues) {
   EXPECT_EQ(state("b"), "two");
 }
 
-TEST_F(ScriptReload, DwellOfAnEarlierVisitIsForgotten) {
+TEST_F(ScriptReload, DwellOfAnEarlierVisitDoesNotCount) {
   const std::string text = R"(behavior "b" { initial = "outer",
     state "outer" { initial = "a",
       state "a" { { "c", when = function() return true end, lasting = 3 }, { "b", after = 1 } },
@@ -83,7 +83,7 @@ TEST_F(ScriptReload, DwellOfAnEarlierVisitIsForgotten) {
   EXPECT_EQ(state("b"), "outer/c");
 }
 
-TEST_F(ScriptReload, AStateThatIsGoneFallsBackToItsNearestAncestor) {
+TEST_F(ScriptReload, ARemovedStateIsReplacedByItsNearestAncestor) {
   load(
       "b",
       R"(behavior "b" { initial = "outer", state "outer" { initial = "x", state "x" { { "y", after = 0.1 } }, state "y" {} }, state "z" {} })");
@@ -100,7 +100,7 @@ TEST_F(ScriptReload, AStateThatIsGoneFallsBackToItsNearestAncestor) {
   EXPECT_EQ(transitions.back().to, "outer/x");
 }
 
-TEST_F(ScriptReload, ABrokenEditKeepsTheVersionBeforeAndSaysWhere) {
+TEST_F(ScriptReload, AnInvalidEditIsReportedWithItsPositionAndThePreviousVersionStays) {
   load("b", kTwoStates);
   ticks(5);
   for (const char* broken : {"behavior \"b\" { initial = ", "error(\"at load\")", "local t = nil\nlocal x = t.y", "",
@@ -134,7 +134,7 @@ TEST_F(ScriptReload, AnUnchangedFileIsNotReloaded) {
   EXPECT_TRUE(reload().empty()) << "one report for one edit";
 }
 
-TEST_F(ScriptReload, AnEditOfALibraryReloadsAllThatRequireIt) {
+TEST_F(ScriptReload, AnEditOfALibraryReloadsAllScriptsThatRequireIt) {
   folder.write("lib/words.lua", "return { text = \"old\" }");
   for (const char* name : {"a", "b"}) {
     load(name, "local words = require \"lib.words\" behavior \"" + std::string(name) +
@@ -147,7 +147,7 @@ TEST_F(ScriptReload, AnEditOfALibraryReloadsAllThatRequireIt) {
   EXPECT_EQ(logs, (std::vector<std::string>{"new", "new"}));
 }
 
-TEST_F(ScriptReload, AFileThatComesLaterIsTakenUp) {
+TEST_F(ScriptReload, AFileThatAppearsLaterIsLoaded) {
   load("b", kTwoStates);
   EXPECT_FALSE(edit("b", "require \"lib.later\"\n" + kTwoStates).accepted);
   folder.write("lib/later.lua", "return 1");
@@ -156,7 +156,7 @@ TEST_F(ScriptReload, AFileThatComesLaterIsTakenUp) {
   EXPECT_TRUE(reports[0].accepted) << reports[0].fault.text();
 }
 
-TEST_F(ScriptReload, AFileThatVanishesKeepsTheVersionBefore) {
+TEST_F(ScriptReload, ARemovedFileLeavesThePreviousVersionRunning) {
   load("b", kTwoStates);
   folder.remove("behaviors/b.lua");
   const auto reports = reload();
@@ -166,7 +166,7 @@ TEST_F(ScriptReload, AFileThatVanishesKeepsTheVersionBefore) {
   EXPECT_EQ(state("b"), "two");
 }
 
-TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
+TEST_F(ScriptReload, AVersionThatFailsRepeatedlyIsRolledBack) {
   load("b", kTwoStates);
   ticks(5);
   EXPECT_TRUE(
@@ -182,7 +182,7 @@ TEST_F(ScriptReload, AVersionThatFailsAgainAndAgainIsRolledBack) {
   EXPECT_EQ(logs.back(), "1three");
 }
 
-TEST_F(ScriptReload, WhatARollbackCannotKeepIsLogged) {
+TEST_F(ScriptReload, AValueThatARollbackCannotRestoreIsLogged) {
   const std::string good = R"(local memory = keep { n = 1 } behavior "b" { update = function() memory.n = 2 end })";
   load("b", good);
   ticks(5);
@@ -193,7 +193,7 @@ TEST_F(ScriptReload, WhatARollbackCannotKeepIsLogged) {
   EXPECT_EQ(logs.back(), "the previous version took over: keep: 'f' cannot survive a reload");
 }
 
-TEST_F(ScriptReload, WhatAVersionDidInItsLastFrameDoesNotCountAgainstTheOneThatTakesOver) {
+TEST_F(ScriptReload, ErrorsOfAVersionInItsLastFrameDoNotCountAgainstTheNextVersion) {
   limits.max_errors = 1;
   const std::string good = R"(behavior "b" { initial = "one",
     state "one" { { "two", after = 1 } }, state "two" { update = function() log.info("runs") end } })";
@@ -212,7 +212,7 @@ TEST_F(ScriptReload, WhatAVersionDidInItsLastFrameDoesNotCountAgainstTheOneThatT
   EXPECT_EQ(logs.back(), "runs");
 }
 
-TEST_F(ScriptReload, OthersSeeAMachineThatIsRolledBackAsItWasWhenTheFrameBegan) {
+TEST_F(ScriptReload, OtherScriptsReadARolledBackMachineAsAtTheStartOfTheFrame) {
   const std::string good = R"(behavior "aa" { initial = "one", state "one" {} })";
   load("aa", good);
   load("bb", R"(behavior "bb" { update = function()
@@ -226,7 +226,7 @@ TEST_F(ScriptReload, OthersSeeAMachineThatIsRolledBackAsItWasWhenTheFrameBegan) 
   EXPECT_EQ(logs.back(), "one 1.2");
 }
 
-TEST_F(ScriptReload, AStoppedScriptStartsAgainWithAGoodEdit) {
+TEST_F(ScriptReload, AStoppedScriptRestartsWithAValidEdit) {
   load("b", "behavior \"b\" { update = function() error(\"x\") end }");
   ticks(limits.max_errors);
   EXPECT_TRUE(status("b").stopped);
@@ -235,7 +235,7 @@ TEST_F(ScriptReload, AStoppedScriptStartsAgainWithAGoodEdit) {
   EXPECT_EQ(state("b"), "two");
 }
 
-TEST_F(ScriptReload, AStoppedScriptThatIsRepairedHoldsAgainWhatItHeld) {
+TEST_F(ScriptReload, AStoppedScriptThatIsFixedResumesItsLeases) {
   const std::string text = R"(behavior "b" { initial = "watching", state "watching" {
     enter = command.pause_training, update = function() error("x") end } })";
   load("b", text);
@@ -246,7 +246,7 @@ TEST_F(ScriptReload, AStoppedScriptThatIsRepairedHoldsAgainWhatItHeld) {
   EXPECT_EQ(state("b"), "watching");
 }
 
-TEST_F(ScriptReload, AnOverrideSurvivesAndIsClampedWhereItNoLongerFits) {
+TEST_F(ScriptReload, AnOverrideSurvivesAndIsClampedToTheNewRange) {
   load("b", kTwoStates);
   parameters.set("b.wait", "4", ParameterOrigin::live);
   EXPECT_TRUE(edit("b", kTwoStates + " ").warnings.empty());
@@ -257,14 +257,14 @@ TEST_F(ScriptReload, AnOverrideSurvivesAndIsClampedWhereItNoLongerFits) {
   EXPECT_EQ(std::get<double>(parameters.value("b.wait")), 2.0);
 }
 
-TEST_F(ScriptReload, AParameterThatIsGoneIsNoLongerListed) {
+TEST_F(ScriptReload, ARemovedParameterIsNotListed) {
   load("b", kTwoStates);
   EXPECT_NE(parameters.find("b.wait"), nullptr);
   edit("b", "behavior \"b\" {}");
   EXPECT_EQ(parameters.find("b.wait"), nullptr);
 }
 
-TEST_F(ScriptReload, WhatCannotBeKeptIsNamed) {
+TEST_F(ScriptReload, AValueThatCannotBeStoredIsNamed) {
   const std::string text =
       "local memory = keep {} behavior \"b\" { enter = function() memory.f = print memory.n = 1 end }";
   load("b", text);
@@ -274,7 +274,7 @@ TEST_F(ScriptReload, WhatCannotBeKeptIsNamed) {
   EXPECT_EQ(report.warnings[0], "keep: 'f' cannot survive a reload");
 }
 
-TEST_F(ScriptReload, AKeptValueOfAnotherTypeGivesWayToTheNewDefault) {
+TEST_F(ScriptReload, AKeptValueOfAnotherTypeIsReplacedByTheNewDefault) {
   load("b",
        "local memory = keep { x = 1, y = 1 } behavior \"b\" { update = function() memory.x = 5 memory.y = 5 end }");
   tick();
@@ -285,7 +285,7 @@ TEST_F(ScriptReload, AKeptValueOfAnotherTypeGivesWayToTheNewDefault) {
   EXPECT_EQ(logs, std::vector<std::string>{"text5"});
 }
 
-TEST_F(ScriptReload, WhatTheScriptRemovedStaysAway) {
+TEST_F(ScriptReload, AKeyThatTheScriptRemovedStaysRemoved) {
   const std::string text =
       R"(local memory = keep { todo = { "left", "right", "back" }, target = "ball", deep = { x = 1, y = 2 } }
     behavior "b" { initial = "one", state "one" {
@@ -305,7 +305,7 @@ TEST_F(ScriptReload, WhatTheScriptRemovedStaysAway) {
   EXPECT_EQ(logs, (std::vector<std::string>{"back nil nil 2", "back nil nil 2"}));
 }
 
-TEST_F(ScriptReload, WhatIsNewInMemoryBeginsAsDeclared) {
+TEST_F(ScriptReload, KeysThatAreNewInMemoryStartAsDeclared) {
   load("b", R"(local memory = keep { todo = { "left", "right" }, deep = { x = 1 } }
     behavior "b" { enter = function() table.remove(memory.todo) memory.deep.x = 5 memory.seen = {} end })");
   tick();
@@ -317,7 +317,7 @@ TEST_F(ScriptReload, WhatIsNewInMemoryBeginsAsDeclared) {
   EXPECT_EQ(logs, std::vector<std::string>{"left 5 2 7 3"});
 }
 
-TEST_F(ScriptReload, AKeptListIsTakenAsAWholeUnlessItIsOneOfOtherThings) {
+TEST_F(ScriptReload, AKeptListIsRestoredAsAWholeUnlessItsTypeChanged) {
   load("b",
        R"(local memory = keep { mixed = { "a", 2, true }, texts = { "a", "b" }, rows = { { n = 1 }, { n = 2, m = 3 } } }
     behavior "b" { enter = function()
@@ -335,7 +335,7 @@ TEST_F(ScriptReload, AKeptListIsTakenAsAWholeUnlessItIsOneOfOtherThings) {
   EXPECT_EQ(logs, std::vector<std::string>{"2 true nil 8,9 1 1 4"});
 }
 
-TEST_F(ScriptReload, WhatAVersionRemovedBeforeItWasRolledBackStaysAway) {
+TEST_F(ScriptReload, AKeyThatARolledBackVersionRemovedStaysRemoved) {
   const std::string good = R"(local memory = keep { a = 1 }
     behavior "b" { initial = "one", state "one" {
       enter = function() memory.made = 2 end, update = function() print(memory.a, memory.made, memory.b) end } })";
@@ -350,7 +350,7 @@ TEST_F(ScriptReload, WhatAVersionRemovedBeforeItWasRolledBackStaysAway) {
   EXPECT_EQ(logs.back(), "nil nil 3");
 }
 
-TEST_F(ScriptReload, AHostThatIsRestoredRemembersWhatWasRemoved) {
+TEST_F(ScriptReload, ARestoredHostRemembersRemovedKeys) {
   load("b", R"(local memory = keep { todo = { "left", "right" }, target = "ball", deep = { x = 1 }, changes = 1 }
     local deep = memory.deep
     behavior "b" { initial = "one", state "one" {
@@ -370,7 +370,7 @@ TEST_F(ScriptReload, AHostThatIsRestoredRemembersWhatWasRemoved) {
   EXPECT_EQ(second.said().logs[0].text, logs[0]);
 }
 
-TEST_F(ScriptReload, TwoScriptsCannotDeclareOneMachine) {
+TEST_F(ScriptReload, TwoScriptsCannotDeclareTheSameMachine) {
   load("b", kTwoStates);
   load("c", "behavior \"c\" {}");
   const ReloadRecord report = edit("c", "behavior \"b\" {}");
@@ -378,7 +378,7 @@ TEST_F(ScriptReload, TwoScriptsCannotDeclareOneMachine) {
   EXPECT_NE(report.fault.message.find("also declared in behaviors/b.lua"), std::string::npos);
 }
 
-TEST_F(ScriptReload, MemoryStaysFlatOverManyReloads) {
+TEST_F(ScriptReload, MemoryDoesNotGrowOverManyReloads) {
   load("b", kTwoStates);
   std::size_t before = 0;
   for (int i = 0; i < 200; ++i) {

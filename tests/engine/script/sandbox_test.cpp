@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hostile scripts: each stops itself alone, within its budget.
+// Hostile scripts: each is stopped within its budget, and other scripts continue.
 #include <array>
 #include <cstdio>
 #include <string>
@@ -15,7 +15,7 @@ std::string updating(const std::string& body) { return "behavior \"evil\" { upda
 
 const char* const kHonest = "behavior \"honest\" { update = function() head.look(0.5, 0.1) end }";
 
-/// A body of `update` that must end in an error, or be harmless.
+/// A body of `update` that must end in an error or do no harm.
 struct Attack {
   const char* name;
   const char* body;
@@ -29,7 +29,7 @@ TEST_P(HostileScript, StopsAloneWithinItsBudget) {
   load("honest", kHonest);
   for (int frame = 0; frame < 10; ++frame) {
     const SeenTick& output = tick();
-    ASSERT_TRUE(output.request.head.has_value()) << "the honest behavior must continue";
+    ASSERT_TRUE(output.request.head.has_value()) << "the valid behavior must continue";
     EXPECT_EQ(output.request.head->angles.yaw, 0.5);
   }
   ASSERT_FALSE(faults.empty());
@@ -142,13 +142,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Sandboxed : public ScriptTest {};
 
-TEST_F(Sandboxed, NothingLeadsOut) {
+TEST_F(Sandboxed, NoFunctionLeavesTheSandbox) {
   for (const char* name :
        {"io", "os", "debug", "package", "load", "loadstring", "loadfile", "dofile", "collectgarbage", "coroutine", "_G",
         "utf8", "newproxy", "next", "string.dump", "string.pack", "math.randomseed"}) {
     const std::string text = std::string("local ok, value = pcall(function() return ") + name +
                              " end) if ok and value ~= nil then error(\"escaped\") end behavior \"refused\" {}";
-    EXPECT_EQ(refusal(text).message, "it was accepted") << name;
+    EXPECT_EQ(refusal(text).message, "the script was accepted") << name;
     folder.write("behaviors/refused.lua", "");
     reload();
   }
@@ -172,7 +172,7 @@ TEST_F(Sandboxed, AScriptWithManyLogLinesDoesNotBlockOthersAndDroppedLinesAreCou
   EXPECT_EQ(behaviors().said().logs.size(), ScriptActions::kMostPerFrame + 1) << "counted separately in each frame";
 }
 
-TEST_F(Sandboxed, AFloodOfCommandsIsNoErrorOfTheNextScript) {
+TEST_F(Sandboxed, TooManyCommandsAreNoErrorOfTheNextScript) {
   load("evil", updating("for i = 1, 150 do command.flip_pose() end"));
   load("honest", R"(behavior "honest" { update = function() command.flip_pose() end })");
   const SeenTick& output = tick();
@@ -192,7 +192,7 @@ TEST_F(Sandboxed, AnErrorInExitDoesNotKeepTheMachineInTheState) {
   EXPECT_EQ(faults[0].fault.line, 2);
 }
 
-TEST_F(Sandboxed, ALoopInExitEndsTheLeaseAllTheSame) {
+TEST_F(Sandboxed, ALoopInExitEndsTheLease) {
   load("evil", R"(behavior "evil" { initial = "a",
     state "a" { enter = function() command.pause_training() end, exit = function() while true do end end, { "b", after = 0.1 } },
     state "b" {} })");
@@ -211,7 +211,7 @@ TEST_F(Sandboxed, TheLeasesOfAStoppedScriptEnd) {
   EXPECT_TRUE(tick().leases.empty());
 }
 
-TEST_F(Sandboxed, ErrorsThatAreFarApartAreForgotten) {
+TEST_F(Sandboxed, ErrorsThatAreFarApartAreNotAddedUp) {
   load(
       "evil",
       R"(behavior "evil" { initial = "a", state "a" { { "b", after = 11 } }, state "b" { enter = function() error("no") end,
@@ -221,8 +221,8 @@ TEST_F(Sandboxed, ErrorsThatAreFarApartAreForgotten) {
   EXPECT_FALSE(status("evil").stopped);
 }
 
-/// A call of a table moves its arguments once for each place of the stack before: a million places would take minutes.
-TEST_F(Sandboxed, ACircleOfCallsEndsEarlyAlsoWhereThereIsMuchMemory) {
+/// A call of a table moves its arguments once for each stack slot below them: a million slots would take minutes.
+TEST_F(Sandboxed, ACycleOfCallsEndsEarlyEvenWithMuchMemory) {
   limits.max_memory = 64 * 1024;
   load("evil", updating("local t = {} setmetatable(t, { __call = t }) t()"));
   tick();
@@ -240,7 +240,7 @@ TEST_F(Sandboxed, MetatablesOfEarlierFramesDoNotAccumulate) {
   EXPECT_TRUE(faults.empty()) << faults[0].fault.text();
 }
 
-TEST_F(Sandboxed, LoadingHasABudgetToo) {
+TEST_F(Sandboxed, LoadingHasABudget) {
   EXPECT_NE(refusal("while true do end").message.find("budget of 2000000"), std::string::npos);
   EXPECT_NE(refusal("pcall(function() while true do end end) behavior \"refused\" {}").message.find("budget"),
             std::string::npos);
@@ -251,7 +251,7 @@ TEST_F(Sandboxed, ALoopInARequiredFileIsNotCaughtByPcall) {
   EXPECT_NE(refusal("pcall(require, \"lib.evil\") behavior \"refused\" {}").message.find("budget"), std::string::npos);
 }
 
-TEST_F(Sandboxed, ActingWhileItIsLoadedIsRefused) {
+TEST_F(Sandboxed, AnActionWhileAScriptIsLoadedIsRefused) {
   for (const char* call : {"command.flip_pose()", "command.pause_training()", "head.look(0, 0)", "walk.stand()",
                            "motion.get_up()", "log.info(\"x\")", "print(\"x\")", "time_in_state()"}) {
     const ScriptFault fault = refusal(std::string(call) + " behavior \"refused\" {}");
@@ -265,21 +265,21 @@ TEST_F(Sandboxed, FilesOutsideOfTheRootCannotBeRequired) {
   for (const char* module :
        {"../secret", "..secret", "/etc/passwd", "lib..x", "", "lib.", ".lib", "lib\\0x", "lib.gone"}) {
     const ScriptFault fault = refusal("require \"" + std::string(module) + "\" behavior \"refused\" {}");
-    EXPECT_NE(fault.message, "it was accepted") << module;
+    EXPECT_NE(fault.message, "the script was accepted") << module;
   }
 }
 
-TEST_F(Sandboxed, ARequireThatGoesInACircleIsRefused) {
+TEST_F(Sandboxed, ACyclicRequireIsRefused) {
   folder.write("lib/a.lua", "require \"lib.b\"");
   folder.write("lib/b.lua", "require \"lib.a\"");
   EXPECT_NE(refusal("require \"lib.a\" behavior \"refused\" {}").message.find("requires itself"), std::string::npos);
 }
 
 TEST_F(Sandboxed, DeclarationsThatContainThemselvesAreRefused) {
-  EXPECT_NE(refusal("local t = {} t[1] = state \"x\" (t) behavior \"refused\" (t)").message, "it was accepted");
+  EXPECT_NE(refusal("local t = {} t[1] = state \"x\" (t) behavior \"refused\" (t)").message, "the script was accepted");
 }
 
-TEST_F(Sandboxed, TheirMathematicsIsThatOfTheCore) {
+TEST_F(Sandboxed, MathematicalFunctionsAreTheSameAsInTheEngine) {
   load("b", R"(behavior "b" { update = function()
     for _, value in ipairs { math.sin(1.3), math.cos(7.1), math.tan(0.4), math.asin(0.3), math.acos(0.3), math.atan(2, -3),
                              math.exp(1.7), math.log(5.3), math.log(5.3, 2), math.log(5.3, 10), 2.3 ^ -1.7 } do
@@ -298,7 +298,7 @@ TEST_F(Sandboxed, TheirMathematicsIsThatOfTheCore) {
   EXPECT_EQ(logs, expected);
 }
 
-TEST_F(Sandboxed, DiceFallBetweenTheirEnds) {
+TEST_F(Sandboxed, RandomNumbersAreInTheirRange) {
   load("b", R"(behavior "b" { update = function()
     local seen = {}
     for i = 1, 500 do
@@ -321,7 +321,7 @@ TEST_F(Sandboxed, DiceFallBetweenTheirEnds) {
   EXPECT_EQ(logs, (std::vector<std::string>{"done"}));
 }
 
-TEST_F(Sandboxed, TheSameScriptRollsTheSameDiceAndWalksTablesInTheSameOrder) {
+TEST_F(Sandboxed, TheSameScriptHasTheSameRandomNumbersAndTheSameOrderOfKeys) {
   const char* const text = R"(behavior "one" { enter = function()
       local t, line = { zebra = 1, ant = 2, [3] = 3, [1] = 1, bee = 4 }, ""
       for k, v in pairs(t) do line = line .. tostring(k) .. "=" .. tostring(v) .. " " end
@@ -339,7 +339,7 @@ TEST_F(Sandboxed, TheSameScriptRollsTheSameDiceAndWalksTablesInTheSameOrder) {
   EXPECT_TRUE(logs[0].ends_with(" table function table")) << logs[0];
 }
 
-TEST_F(Sandboxed, TablesWithKeysThatHaveNoOrderAreNotWalkedThrough) {
+TEST_F(Sandboxed, TablesWithKeysWithoutAReproducibleOrderAreNotIterated) {
   load("one", updating("local t = { [print] = 1 } for k in pairs(t) do print(k) end"));
   load("two", R"(behavior "two" { update = function()
     local t, line = { [{}] = 1, x = 2 }, ""
@@ -366,7 +366,7 @@ TEST_F(Sandboxed, TheMemoryOfAScriptThatMakesGarbageStaysBounded) {
   EXPECT_LT(status("evil").memory, 1024u * 1024u);
 }
 
-TEST_F(Sandboxed, AFaultIsOneLineAndNamesItsFileWhateverTheScriptSays) {
+TEST_F(Sandboxed, AFaultIsOneLineWithItsFileForAnyMessageOfTheScript) {
   load("loud", "behavior \"loud\" { update = function() error(\"first\\nsecond\") end }");
   load("greedy", R"(behavior "greedy" { update = function() local t = {} for i = 1, 1e9 do t[i] = { i } end end })");
   tick();

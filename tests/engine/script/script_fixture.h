@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Behaviors that run frame by frame, from texts in memory, with what they did in words.
+// Runs behaviors frame by frame from texts in memory, and records their results with names as texts.
 #pragma once
 
 #include <memory>
@@ -43,7 +43,7 @@ struct TickedStatus {
   std::int64_t instructions = 0;
   std::size_t memory = 0;
 };
-/// What one frame asked for.
+/// Requests and events of one frame.
 struct SeenTick {
   Request request;
   std::vector<TickedLease> leases;
@@ -52,7 +52,7 @@ struct SeenTick {
   std::vector<FaultRecord> faults;
 };
 
-/// Files that are saved, to be handed to the scripts.
+/// Saved files that the scripts get with the next reload.
 class SavedFiles {
  public:
   void write(const std::string& file, std::string text) { edits_.push_back({file, ScriptText{std::move(text), ""}}); }
@@ -80,7 +80,7 @@ class ScriptTest : public ::testing::Test {
     host().load(name);
   }
 
-  /// What loading this behavior is refused with.
+  /// The error with which this behavior is refused.
   ScriptFault refusal(const std::string& text) {
     folder.write("behaviors/refused.lua", text);
     reload();
@@ -89,7 +89,7 @@ class ScriptTest : public ::testing::Test {
     } catch (const ScriptError& error) {
       return error.fault;
     }
-    return {"", 0, "it was accepted", ""};
+    return {"", 0, "the script was accepted", ""};
   }
 
   const SeenTick& tick() {
@@ -121,7 +121,7 @@ class ScriptTest : public ::testing::Test {
     ++world.frame;
     return seen_;
   }
-  /// This many frames.
+  /// Runs this many frames.
   void ticks(int count) {
     for (int i = 0; i < count; ++i) tick();
   }
@@ -137,12 +137,12 @@ class ScriptTest : public ::testing::Test {
       return {names[all[i].state],   all[i].stopped,        all[i].errors,  world.time - kStep - all[i].entered_at,
               costs[i].microseconds, costs[i].instructions, costs[i].memory};
     }
-    ADD_FAILURE() << "there is no machine " << machine;
+    ADD_FAILURE() << "unknown machine " << machine;
     return {};
   }
   std::string state(const std::string& machine) { return status(machine).state; }
 
-  /// Takes over what was saved.
+  /// Applies the saved files.
   std::vector<ReloadRecord> reload() {
     const std::vector<ScriptEdit> edits = folder.take();
     return host().apply(edits);
@@ -152,7 +152,7 @@ class ScriptTest : public ::testing::Test {
     folder.write("behaviors/" + name + ".lua", text);
     const std::vector<ReloadRecord> reports = reload();
     if (reports.size() == 1) return reports.front();
-    ADD_FAILURE() << "expected one reload, saw " << reports.size();
+    ADD_FAILURE() << "expected 1 reload, found " << reports.size();
     return {};
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transitions, dwell and nesting, frame by frame.
+// Transitions, dwell times and nested states, frame by frame.
 #include <array>
 #include <cstdio>
 
@@ -20,7 +20,7 @@ class ScriptTransitions : public ScriptTest {
 
 using Steps = std::vector<std::string>;
 
-/// The transitions that may be taken, as a person would say it.
+/// The possible transitions as texts: "from -> to: result held/lasting waited/after".
 class ScriptConditions : public ScriptTest {
  protected:
   std::vector<std::string> open() {
@@ -33,12 +33,12 @@ class ScriptConditions : public ScriptTest {
       std::snprintf(text.data(), text.size(), " %.1f/%.1f", so_far, needed);
       return std::string(text.data());
     };
-    std::vector<std::string> said;
-    said.reserve(all.size());
+    std::vector<std::string> texts;
+    texts.reserve(all.size());
     for (const OpenCondition& one : all)
-      said.push_back(names[one.from] + " -> " + names[one.target] + ": " + kWhen[static_cast<std::size_t>(one.when)] +
-                     dwell(one.held, one.lasting) + dwell(one.waited, one.after));
-    return said;
+      texts.push_back(names[one.from] + " -> " + names[one.target] + ": " + kWhen[static_cast<std::size_t>(one.when)] +
+                      dwell(one.held, one.lasting) + dwell(one.waited, one.after));
+    return texts;
   }
 };
 
@@ -62,7 +62,7 @@ TEST_F(ScriptConditions, AreListedWithResultAndDuration) {
   EXPECT_EQ(open()[1], "one -> two: yes 0.5/2.0 1.5/0.0");
   ticks(45);
   EXPECT_EQ(state("b"), "three");
-  EXPECT_EQ(open(), Steps()) << "it is there already, and nothing leads on";
+  EXPECT_EQ(open(), Steps()) << "the target is active, and the state has no transitions";
 }
 
 TEST_F(ScriptConditions, ShowTheLastResultOfADwellFunction) {
@@ -119,7 +119,7 @@ TEST_F(ScriptTransitions, ACommandCarriesItsIssuerStateReasonAndPriority) {
   EXPECT_EQ(commands[0].priority, 50.0);
 }
 
-TEST_F(ScriptTransitions, AMachineTakesOneTransitionAFrame) {
+TEST_F(ScriptTransitions, AMachineTakesOneTransitionPerFrame) {
   load("b", R"(local function yes() return true end
     behavior "b" { initial = "one", state "one" { { "two", when = yes } }, state "two" { { "three", when = yes } },
       state "three" { { "one", when = yes } } })");
@@ -127,7 +127,7 @@ TEST_F(ScriptTransitions, AMachineTakesOneTransitionAFrame) {
   EXPECT_EQ(steps(), (Steps{" -> one", "one -> two", "two -> three", "three -> one"}));
 }
 
-TEST_F(ScriptTransitions, LastingAsksForTheConditionWithoutABreak) {
+TEST_F(ScriptTransitions, LastingRequiresTheConditionWithoutInterruption) {
   load("b", R"(behavior "b" { initial = "one",
     state "one" { { "two", when = function() return robot.penalized end, lasting = 0.5 } }, state "two" {} })");
   world.referee.penalized = true;
@@ -166,7 +166,7 @@ TEST_F(ScriptTransitions, DwellMayBeAParameterOrAFunction) {
   EXPECT_EQ(state("b"), "one");
 }
 
-TEST_F(ScriptTransitions, AlwaysIsCheckedFirstAndNotWhileItsTargetIsActive) {
+TEST_F(ScriptTransitions, CommonIsCheckedFirstAndNotWhileItsTargetIsActive) {
   load("b", R"(behavior "b" { initial = "one", common = { { "down", when = function() return robot.penalized end } },
     state "one" { { "two", when = function() return true end } }, state "two" {}, state "down" { enter = function() log.info("down") end } })");
   tick();
@@ -189,7 +189,7 @@ TEST_F(ScriptTransitions, NestedStatesAreEnteredFromOutsideAndLeftFromInside) {
   EXPECT_EQ(steps(), (Steps{" -> outer/inner", "outer/inner -> other"}));
 }
 
-TEST_F(ScriptTransitions, AnInnerTransitionLeavesTheOuterStateAsItIs) {
+TEST_F(ScriptTransitions, AnInnerTransitionDoesNotReenterTheOuterState) {
   load("b",
        R"(behavior "b" { initial = "outer", state "outer" { initial = "x", enter = function() log.info("+outer") end,
     update = function() log.info(string.format("%.1f", time_in_state())) end,
@@ -201,7 +201,7 @@ TEST_F(ScriptTransitions, AnInnerTransitionLeavesTheOuterStateAsItIs) {
   EXPECT_EQ(state("b"), "z");
 }
 
-TEST_F(ScriptTransitions, HistoryResumesTheInnerStateThatWasLast) {
+TEST_F(ScriptTransitions, HistoryResumesTheLastInnerState) {
   load("b", R"(behavior "b" { initial = "outer", common = { { "down", when = function() return robot.penalized end } },
     state "outer" { initial = "x", history = true, state "x" { { "y", after = 0.1 } }, state "y" {} },
     state "down" { { "outer", when = function() return not robot.penalized end } } })");
@@ -239,7 +239,7 @@ TEST_F(ScriptTransitions, APauseLastsAsLongAsItsState) {
   EXPECT_EQ(output.leases[0].reason, "enough");
 }
 
-TEST_F(ScriptTransitions, TheGreaterPriorityHasEachChannel) {
+TEST_F(ScriptTransitions, TheGreaterPriorityWinsEachChannel) {
   load("low", R"(behavior "low" { priority = 1, update = function() head.look(0.1, 0) walk.velocity(0.1, 0, 0) end })");
   load("high", R"(behavior "high" { priority = 2, update = function() head.look(0.2, 0, 2.0) end })");
   load("same", R"(behavior "same" { priority = 2, update = function() head.look(0.3, 0) end })");
@@ -251,7 +251,7 @@ TEST_F(ScriptTransitions, TheGreaterPriorityHasEachChannel) {
   EXPECT_FALSE(request.get_up);
 }
 
-TEST_F(ScriptTransitions, ARequestHoldsForOneFrame) {
+TEST_F(ScriptTransitions, ARequestIsValidForOneFrame) {
   load(
       "b",
       R"(behavior "b" { initial = "one", enter = function() head.look(0, 0) walk.velocity(0.1, 0, 0) end, state "one" {} })");
@@ -268,7 +268,7 @@ TEST_F(ScriptTransitions, BehaviorsReadEachOthersStateAtTheStartOfTheFrame) {
   EXPECT_EQ(logs, (std::vector<std::string>{"", "one", "one", "one", "two"}));
 }
 
-TEST_F(ScriptTransitions, AConditionOnlyLooks) {
+TEST_F(ScriptTransitions, AConditionMustNotAct) {
   load(
       "b",
       R"(behavior "b" { initial = "one", state "one" { { "two", when = function() command.flip_pose() return true end } }, state "two" {} })");
@@ -311,7 +311,7 @@ behavior "made" {
 })");
   const std::vector<TransitionDefinition>& made = host().definitions().front()->transitions;
   ASSERT_EQ(made.size(), 2U);
-  EXPECT_EQ(made[0].maker, "") << "it only asks the library";
+  EXPECT_EQ(made[0].maker, "") << "only its condition is from the library";
   EXPECT_EQ(made[1].maker, "lib/ways.lua");
 }
 
@@ -332,7 +332,7 @@ struct Mistake {
 
 class MistakenDeclaration : public ScriptTest, public ::testing::WithParamInterface<Mistake> {};
 
-TEST_P(MistakenDeclaration, IsRefusedWithItsLineAndWhatToDo) {
+TEST_P(MistakenDeclaration, IsRefusedWithItsLineAndASuggestion) {
   const ScriptFault fault = refusal(GetParam().text);
   EXPECT_NE(fault.message.find(GetParam().message), std::string::npos) << fault.message;
   EXPECT_EQ(fault.line, GetParam().line) << fault.message;
@@ -366,7 +366,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "unknown key 'entre' (did you mean 'enter'?)"},
         Mistake{"NotAFunction", "behavior \"b\" { enter = 5 }", 1, "enter: expected a function, found a number"},
         Mistake{"NegativeDwell", "behavior \"b\" { state \"a\" { { \"a\", after = -1 } } }", 1, "non-negative"},
-        Mistake{"UnknownGlobal", "\nbehaviour \"b\" {}", 2, "unknown name 'behaviour' (did you mean 'behavior'?)"},
+        Mistake{"UnknownGlobal", "\nbehavor \"b\" {}", 2, "unknown name 'behavor' (did you mean 'behavior'?)"},
         Mistake{"TwoMachinesOfAName", "behavior \"b\" {}\nbehavior \"b\" {}", 2, "declared twice"},
         Mistake{"ParamWithoutSentence", "param { x = { 1, range = { 0, 1 } } }", 1, "missing description"},
         Mistake{"ParamOutOfItsRange", "param { x = { 5, range = { 0, 1 }, doc = \"x\" } }", 1, "expected 0 to 1"},
