@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Objects that were compiled before, in this clone or another one of the same user, come from ccache where it is installed
-# (tools/packages). Its folder survives a clean clone: ${XDG_CACHE_HOME:-~/.cache}/reorient/ccache. It holds at most
-# REORIENT_CACHE_SIZE, several builds may use it at once, and the compiler's version is part of every key.
+# If ccache is installed (tools/packages), it provides objects that were compiled before in this clone or in another one
+# of the same user. Its folder ${XDG_CACHE_HOME:-~/.cache}/reorient/ccache is outside of the clones and has at most
+# REORIENT_CACHE_SIZE. Several builds may use it at the same time. The compiler's version is part of each key.
 option(REORIENT_CCACHE "Take objects from ccache where it is installed" ON)
 set(REORIENT_CACHE_SIZE "5G" CACHE STRING "How much ccache may hold")
 if(NOT REORIENT_CCACHE OR CMAKE_CXX_COMPILER_LAUNCHER)
@@ -14,19 +14,19 @@ if(NOT REORIENT_CCACHE_PROGRAM)
 endif()
 
 set(folder "$ENV{XDG_CACHE_HOME}")
-if(NOT IS_ABSOLUTE "${folder}")  # an empty or relative one must be ignored by the XDG specification
+if(NOT IS_ABSOLUTE "${folder}")  # the XDG specification says: ignore an empty or relative path
   set(folder "$ENV{HOME}/.cache")
 endif()
 set(folder "${folder}/reorient/ccache")
-# ccache would fail where it cannot write; a build must not.
+# ccache fails if it cannot write, but a build must not fail then.
 execute_process(COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
 if(failed OR NOT IS_ABSOLUTE "${folder}")
-  message(STATUS "No compiler cache: ${folder} cannot be made")
+  message(STATUS "No compiler cache: cannot create ${folder}")
   return()
 endif()
 execute_process(COMMAND test -w "${folder}" RESULT_VARIABLE failed)
 if(failed)
-  message(STATUS "No compiler cache: ${folder} cannot be written")
+  message(STATUS "No compiler cache: cannot write to ${folder}")
   return()
 endif()
 

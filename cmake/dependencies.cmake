@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Every library that is not ours is found here or in libraries.cmake, nowhere else.
+# Finds all external libraries, together with libraries.cmake.
 include(libraries)
 reorient_find(missing
   Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG lz4::lz4 zlib::zlib zstd::zstd tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
@@ -8,7 +8,7 @@ if(missing)
   message(FATAL_ERROR "reorient: ${missing}")
 endif()
 find_package(Threads REQUIRED)
-# Optional: without them, footage has to be MCAP logs with images that are not compressed (workbench/footage/opencv).
+# Optional: without them, footage must be MCAP logs with uncompressed images (workbench/footage/opencv).
 set(REORIENT_FOOTAGE_IMAGES OFF)
 if(REORIENT_DECODE_IMAGES)
   reorient_find(missing opencv::imgcodecs opencv::videoio)
@@ -18,10 +18,10 @@ if(REORIENT_DECODE_IMAGES)
     set(REORIENT_FOOTAGE_IMAGES ON)
   endif()
 endif()
-# The C++ build of Lua: an error in a script unwinds C++ destructors. engine/script/lua makes the library of it.
+# The C++ build of Lua, in which an error of a script runs C++ destructors. engine/script/lua makes a library from it.
 find_library(LUA_ARCHIVE NAMES liblua5.4-c++.a REQUIRED)
 
-# Of the program alone.
+# Only for the program.
 find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 reorient_find_plain(libedit::libedit histedit.h edit)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Run by cmake --install: copies `headers` from `source` to `destination` in the prefix, below reorient/. In the tree an include
-# contains the position of a file ("geometry/angle.h"); among headers of other projects it must also contain the project.
+# Run by cmake --install: copies `headers` from `source` to `destination` in the prefix, below reorient/. In the tree an
+# include contains the path of a file ("geometry/angle.h"); installed headers need the project's name before it.
 file(REMOVE_RECURSE "${stage}")
 foreach(header ${headers})
   file(READ "${source}/${header}" text)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Installs all rooms that are declared so far: libraries, headers below include/reorient/, a CMake package with a component
-# for each room, and a pkg-config file for each. Nothing in it names a folder of this machine but those of other packages.
+# Installs all modules that are declared so far: libraries, headers below include/reorient/, a CMake package with a
+# component for each module, and a pkg-config file for each. They contain no path of this machine except those of other
+# packages.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -8,7 +9,7 @@ set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/reorient")
 file(RELATIVE_PATH prefix_from_pkgconfig "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" prefix_from_pkgconfig "${prefix_from_pkgconfig}")
 
-# How pkg-config calls a library that is not ours, or, where it does not know it, the flags.
+# The name of an external library in pkg-config. Libraries without a name get flags instead.
 set(module_of_Eigen3::Eigen eigen3)
 set(module_of_sleef::sleef sleef)
 set(module_of_turbojpeg::turbojpeg libturbojpeg)
@@ -19,7 +20,7 @@ set(module_of_tomlplusplus::tomlplusplus tomlplusplus)
 get_property(rooms GLOBAL PROPERTY REORIENT_ROOMS)
 set_property(GLOBAL PROPERTY REORIENT_INSTALLED_ROOMS ${rooms})
 set(headers)
-set(components)  # for the package: what each component needs, itself last
+set(components)  # for the package: the modules and libraries that each component needs, the component itself last
 foreach(room ${rooms})
   get_target_property(links ${room} REORIENT_LINKS)
   get_target_property(kind ${room} TYPE)
@@ -60,7 +61,7 @@ foreach(room ${rooms})
 
   get_target_property(room_headers ${room} REORIENT_HEADERS)
   list(APPEND headers ${room_headers})
-  # An export set for each, so that none asks for what only another one needs.
+  # One export set for each module, so that a module requires only its own dependencies.
   install(TARGETS ${room} EXPORT reorient-${room}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
   install(EXPORT reorient-${room} NAMESPACE reorient:: FILE reorient-${room}-targets.cmake DESTINATION "${package_folder}")

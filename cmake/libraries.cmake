@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Where the libraries come from that are not ours: Debian 12 packages (tools/packages lists them). Read by the project and,
-# installed, by its CMake package, which looks for nothing but what the wanted components need.
+# Finds the external libraries, which are Debian 12 packages (tools/packages lists them). Used by the project and by its
+# installed CMake package, which searches only the libraries of the requested components.
 
-# reorient_find_plain(TARGET HEADER LIBRARY [SUFFIX]): a library that brings no CMake package, or one that asks for more than is
-# needed, as an imported target. LIBRARY may be "": headers alone. SUFFIX: where the header lies in an include folder.
+# reorient_find_plain(TARGET HEADER LIBRARY [SUFFIX]): makes an imported target of a library without a CMake package, or
+# with one that requires too much. LIBRARY may be "": only headers. SUFFIX: position of the header in an include folder.
 function(reorient_find_plain target header library)
   string(MAKE_C_IDENTIFIER "REORIENT_${target}" name)
   find_path(${name}_HEADERS ${header} PATH_SUFFIXES ${ARGN})
@@ -25,8 +25,8 @@ function(reorient_find_plain target header library)
   target_include_directories(${target} INTERFACE "${${name}_HEADERS}")
 endfunction()
 
-# reorient_find(MISSING TARGET...): makes the targets that are not there yet. MISSING becomes what to tell about the first that
-# cannot be found, or empty.
+# reorient_find(MISSING TARGET...): makes the targets that do not exist yet. MISSING becomes an error message about the
+# first library that is not found, or empty.
 function(reorient_find missing)
   set(${missing} "" PARENT_SCOPE)
   foreach(target ${ARGN})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the project's license, the page on third-party software, and the license texts of the libraries whose code is
-# compiled into what is installed. Which these are follows from the rows of docs/third-party.md with "headers" or "static";
-# tools/bundle reads the same rows.
+# compiled into the installed files: the rows of docs/third-party.md with "headers" or "static". tools/bundle reads the
+# same rows.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/docs/third-party.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME THIRD-PARTY.md)
 
@@ -19,7 +19,7 @@ foreach(row ${rows})
   if(EXISTS "${file}")
     get_filename_component(file "${file}" REALPATH)
     install(FILES "${file}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/licenses" RENAME "${package}")
-    # Debian's files do not repeat long licenses, they name the file of the text.
+    # Debian's files do not repeat long licenses; they name the file with the text.
     file(READ "${file}" text)
     string(REGEX MATCHALL "/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]" long_ones "${text}")
     list(REMOVE_DUPLICATES long_ones)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# How a room, a test and a benchmark of this project are declared. A room's doors are shut: its sources see the headers of
-# only the modules that it links, and targets that link it inherit none of its flags.
+# Functions that declare the modules ("rooms" in the names), tests and benchmarks of this project. The sources of a module
+# can include only the headers of the modules that it links, and targets that link it do not inherit its flags.
 
 set(REORIENT_WARNINGS
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Wcast-align -Werror)
@@ -11,25 +11,26 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   endif()
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  list(APPEND REORIENT_WARNINGS -Wno-unknown-pragmas)  # "GCC ivdep", a hint of which it knows nothing
+  list(APPEND REORIENT_WARNINGS -Wno-unknown-pragmas)  # "GCC ivdep", a hint that Clang does not know
 endif()
-# For what has no loop over pixels or particles: tests, tools and the program around the engine, not what a frame runs through.
-# A third less time to build them.
+# Flags for code without loops over pixels or particles: tests, tools and the program around the engine. They build in a
+# third less time.
 set(REORIENT_QUICKLY_COMPILED $<$<CONFIG:Release>:-O1>)
-# The same bits on every processor (geometry/pinned_math.h): no product and sum become one rounding, and `char` has a sign, which
-# it lacks on ARM.
+# The same bits on every processor (geometry/pinned_math.h): no fused multiply-add, and a signed `char`, which is unsigned
+# on ARM by default.
 set(REORIENT_ARCHITECTURE -ffp-contract=off -fsigned-char)
 # Every x86-64 robot and desktop since 2009 has SSE4.2; a preset may set a particular processor instead.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_FLAGS MATCHES "-march=")
   list(APPEND REORIENT_ARCHITECTURE -march=x86-64-v2)
 elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-  # Eigen would fuse products by hand, whatever the compiler may do, and add in another order. To do without its packets would be
-  # no way: they are what gives x86-64 its bits, and without them vectors are aligned differently from programs that link us.
+  # Eigen uses fused multiply-add explicitly, independent of the compiler's flags, and adds in another order. Its packets
+  # cannot be disabled: they determine the bits on x86-64, and without them vectors have another alignment than in programs
+  # that link this project.
   list(APPEND REORIENT_ARCHITECTURE -U__ARM_FEATURE_FMA "SHELL:-include ${PROJECT_SOURCE_DIR}/geometry/eigen_packets.h")
 endif()
 
-# reorient_include_root(TARGET SCOPE header...): a folder of links to just these headers (paths from the top of the tree)
-# becomes an include folder of the target.
+# reorient_include_root(TARGET SCOPE header...): makes a folder with links to only these headers (paths from the top of the
+# tree) and adds it to the include folders of the target.
 function(reorient_include_root target scope)
   set(root "${PROJECT_BINARY_DIR}/include/${target}")
   file(REMOVE_RECURSE "${root}")
@@ -45,8 +46,8 @@ function(reorient_include_root target scope)
   target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${root}>")
 endfunction()
 
-# reorient_embed(VARIABLE file...): VARIABLE becomes the rows of a C++ table, {"name", R"text(...)text"}, with the text of each file
-# under its name without the ending. So a program needs no folder to read them from.
+# reorient_embed(VARIABLE file...): VARIABLE becomes the rows of a C++ table, {"name", R"text(...)text"}, with the text of
+# each file under its name without the extension. A program then contains the texts and reads no folder.
 function(reorient_embed variable)
   set(rows)
   foreach(file ${ARGN})
@@ -59,9 +60,9 @@ function(reorient_embed variable)
 endfunction()
 
 # reorient_add_room(NAME [SOURCES file...] [HEADERS file...] [WITHOUT folder...] [PUBLIC target...] [PRIVATE target...])
-# One static library (or, without sources, headers alone). Its headers are those below the present folder, except for
-# the subfolders WITHOUT, which are rooms of their own; or just HEADERS. PUBLIC: what its headers include; PRIVATE: what
-# only its sources do.
+# One module as a static library (without sources: only headers). Its headers are those below the current folder, except
+# for the subfolders WITHOUT, which are separate modules; or only HEADERS. PUBLIC: modules that its headers include;
+# PRIVATE: modules that only its sources include.
 function(reorient_add_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;WITHOUT;PUBLIC;PRIVATE" ${ARGN})
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# How tests are declared. Every test belongs to a tier, which is a label that CTest knows:
-#   gate      what an ordinary change can break: ./test runs it
-#   extended  what is expensive and rarely breaks: ./test --all runs it. Its label is extended.GROUP.
+# Functions that declare tests. Each test belongs to a tier, which is a label in CTest:
+#   gate      tests that an ordinary change can break: ./test runs them
+#   extended  expensive tests that rarely fail: ./test --all runs them. Their label is extended.GROUP.
 #             ./test --groups NAME,... and .ci/run run some groups; CONTRIBUTING.md lists them and the files of each
-# The targets `gate` and `extended.GROUP` build what the tests of a tier or a group need.
+# The targets `gate` and `extended.GROUP` build everything that the tests of a tier or a group need.
 add_custom_target(gate)
 
-# Headers that most tests include are compiled once, not once a source: without RapidCheck and with it. The preset `debug` compiles
-# without them, so that no include goes missing unseen.
+# Precompiled headers that most tests include, one version without RapidCheck and one with it. The preset `debug` does not
+# use them, so that it detects a missing include.
 set(headers
   <algorithm> <array> <chrono> <cmath> <cstdint> <cstdlib> <cstring> <filesystem> <fstream> <functional> <iostream> <limits> <map>
   <memory> <optional> <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <thread> <utility> <vector>
@@ -32,11 +32,11 @@ function(reorient_needs tier)
 endfunction()
 
 # reorient_add_tests(NAME SOURCES file... LINKS target... [NEEDS target...] [EXTENDED group pattern]... [UNSANITIZED]
-# [TOO_SLOW_SANITIZED pattern] [THREADED]): one GoogleTest program, each of its tests known to CTest. PATTERN, as in --gtest_filter:
-# tests of that group; all others belong to the gate. NEEDS: programs that the tests start. UNSANITIZED: the sanitizers have nothing to
-# find, as the tests only start programs that are not ours, or count allocations with operators of their own. TOO_SLOW_SANITIZED: tests
-# of code that others run as well, with less. THREADED: the tests or what they call start threads, so that the thread sanitizer has
-# something to find. Those that link rapidcheck have its header precompiled.
+# [TOO_SLOW_SANITIZED pattern] [THREADED]): one GoogleTest program, whose tests are registered in CTest. PATTERN, as in
+# --gtest_filter: tests of that group; all others belong to the gate. NEEDS: programs that the tests start. UNSANITIZED:
+# the sanitizers cannot find anything, because the tests only start external programs or replace operator new.
+# TOO_SLOW_SANITIZED: slow tests of code that other tests run as well. THREADED: the tests or the code that they call start
+# threads, so the thread sanitizer is useful. Programs that link rapidcheck have its header precompiled.
 function(reorient_add_tests name)
   cmake_parse_arguments(TESTS "UNSANITIZED;THREADED" "TOO_SLOW_SANITIZED" "SOURCES;LINKS;NEEDS;EXTENDED" ${ARGN})
   reorient_add_program(${name}
@@ -47,7 +47,7 @@ function(reorient_add_tests name)
     set(kind property_test)
   endif()
   target_precompile_headers(${name} REUSE_FROM ${kind}_headers)
-  # Across processors the whole program is what takes long: tools/test-aarch64 names what it builds.
+  # When cross-compiling, building the whole program takes long; tools/test-aarch64 names the targets that it builds.
   if(TESTS_NEEDS AND NOT CMAKE_CROSSCOMPILING)
     add_dependencies(${name} ${TESTS_NEEDS})
   endif()
@@ -84,8 +84,8 @@ function(reorient_add_tests name)
   endif()
 endfunction()
 
-# One seed for RapidCheck: what passed once passes again. Other cases are tried by tools/deep-run, and by a program that is
-# started by hand.
+# A fixed seed for RapidCheck, so that results are reproducible. tools/deep-run, and a program that is started directly, use
+# other seeds.
 function(reorient_discover name filter timeout labels)
   set(filter_of)
   if(filter)
@@ -96,8 +96,8 @@ function(reorient_discover name filter timeout labels)
 endfunction()
 
 # reorient_add_check(NAME [GROUP group] [TIMEOUT seconds] [COST seconds] [NEEDS target...] [ENVIRONMENT name=value...]
-# COMMAND word...): a command as a test, of the gate or of a group. Exit code 77: skipped. COST: about how long it takes; CTest starts
-# the longest first.
+# COMMAND word...): a command as a test of the gate or of a group. Exit code 77: skipped. COST: approximate duration; CTest
+# starts the longest tests first.
 function(reorient_add_check name)
   cmake_parse_arguments(CHECK "" "GROUP;TIMEOUT;COST" "NEEDS;ENVIRONMENT;COMMAND" ${ARGN})
   add_test(NAME ${name} COMMAND ${CHECK_COMMAND})

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# reorient_unity_sources(VARIABLE TARGET source...): where CMAKE_UNITY_BUILD is on, sources are compiled CMAKE_UNITY_BUILD_BATCH_SIZE
-# at a time: VARIABLE becomes the list of unity sources, which include them. A source with the property
-# SKIP_UNITY_BUILD_INCLUSION, set before this call, stays alone.
-# CMake's own unity sources name the others by absolute paths, so a compiler cache would miss them in every other clone. These
-# are the same bytes everywhere. All lie in one folder, so that one prefix shortens the paths in messages of tests.
+# reorient_unity_sources(VARIABLE TARGET source...): if CMAKE_UNITY_BUILD is on, VARIABLE becomes the list of unity sources,
+# each of which includes CMAKE_UNITY_BUILD_BATCH_SIZE sources. A source with the property SKIP_UNITY_BUILD_INCLUSION, set
+# before this call, is compiled separately.
+# CMake's own unity sources contain absolute paths, so a compiler cache would not find them in another clone. These have the
+# same content in each clone. All are in one folder, so that one prefix shortens the paths in messages of tests.
 set(REORIENT_UNITY_FOLDER "${PROJECT_BINARY_DIR}/unity")
 file(RELATIVE_PATH top_from_unity "${REORIENT_UNITY_FOLDER}" "${PROJECT_SOURCE_DIR}/")
 set(REORIENT_UNITY_FLAGS)
@@ -42,7 +42,7 @@ function(reorient_unity_sources variable target)
       string(APPEND text "#include \"${path}\"\n")
     endforeach()
     set(unity "${REORIENT_UNITY_FOLDER}/${target}_${number}.cpp")
-    file(CONFIGURE OUTPUT "${unity}" CONTENT "${text}" @ONLY)  # leaves a file alone that would not change
+    file(CONFIGURE OUTPUT "${unity}" CONTENT "${text}" @ONLY)  # does not touch a file with the same content
     list(APPEND alone "${unity}")
     math(EXPR number "${number} + 1")
   endwhile()
