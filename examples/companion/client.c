@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* client SOCKET own|ours ROBOT [ARGUMENT...]: connects a robot with Reorient. "own": it has a localization of its own,
- * particle_filter.c, and carries out Reorient's commands on it; "ours": Reorient localizes. ROBOT stands in for a robot
- * (robot_pipe.h). Ends with the robot's exit code. */
+/* client SOCKET own|ours ROBOT [ARGUMENT...]: connects a robot with Reorient. "own": the robot has its own
+ * localization, particle_filter.c, to which it applies Reorient's commands; "ours": Reorient localizes the robot. ROBOT
+ * is a program that replaces a robot (robot_pipe.h). Ends with the exit code of ROBOT. */
 #define _GNU_SOURCE
 #define REORIENT_COMPANION_CLIENT
 #include <poll.h>
@@ -28,7 +28,7 @@ static int read_all(int from, void* to, size_t size) {
   return 1;
 }
 
-static pid_t begin_robot(char** arguments, int* from, int* to) {
+static pid_t start_robot(char** arguments, int* from, int* to) {
   int out[2], in[2];
   pid_t child;
   if (pipe(out) != 0 || pipe(in) != 0) exit(2);
@@ -48,7 +48,7 @@ static pid_t begin_robot(char** arguments, int* from, int* to) {
   return child;
 }
 
-static void carry_out(int command) {
+static void apply(int command) {
   if (command == REORIENT_FLIP) filter_flip(&filter);
   if (command == REORIENT_PURGE) filter_purge(&filter);
   if (command == REORIENT_RESET) filter_reset(&filter);
@@ -56,7 +56,8 @@ static void carry_out(int command) {
 
 static void copy(double* to, const double* from, int count) { memcpy(to, from, (size_t)count * sizeof *to); }
 
-/* Until the answer to this frame has come; 0: takes what is there. A robot does not wait: it always does that. */
+/* Waits for the answer to this frame. 0: only reads the messages that have arrived; a robot always does that, because
+ * it must not wait. */
 static int await(uint64_t number, struct reorient_answer* answer) {
   int tries, kind;
   for (tries = 0; tries < 20; ++tries) {
@@ -66,7 +67,7 @@ static int await(uint64_t number, struct reorient_answer* answer) {
       if (kind == REORIENT_REFUSAL) fprintf(stderr, "refused: %s\n", event.refusal.why);
       if (kind != REORIENT_ANSWER) continue;
       *answer = event.answer;
-      carry_out(reorient_take_command(&client, answer));
+      apply(reorient_take_command(&client, answer));
       if (answer->number >= number) return 1;
     }
     if (client.socket < 0 || number == 0) return 0;
@@ -84,7 +85,7 @@ int main(int count, char** words) {
   pid_t child;
   if (count < 4) return fprintf(stderr, "client SOCKET own|ours ROBOT [ARGUMENT...]\n"), 2;
   own = strcmp(words[2], "own") == 0;
-  child = begin_robot(words + 3, &from, &to);
+  child = start_robot(words + 3, &from, &to);
   if (!read_all(from, &robot, sizeof robot)) return 2;
   if (getrandom(&hello.client, sizeof hello.client, 0) < 0) return perror("client"), 2;
   hello.way = own ? REORIENT_OWN_LOCALIZATION : REORIENT_OUR_LOCALIZATION;
@@ -115,7 +116,7 @@ int main(int count, char** words) {
     copy(frame.rates, felt.rates, 3);
     copy(frame.acceleration, felt.acceleration, 3);
     frame.foot_load = felt.foot_load;
-    if (own && felt.is_told) filter_told(&filter, felt.told_pose);
+    if (own && felt.is_told) filter_set_pose(&filter, felt.told_pose);
     if (felt.is_told) {
       frame.has |= REORIENT_HAS_TOLD_POSE;
       copy(frame.told_pose, felt.told_pose, 3);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""client.py SOCKET own|ours ROBOT [ARGUMENT...]: what client.c does, with nothing but Python's standard library (3.9 or
-later): the connection is reorient_companion.py. "own": Reorient commands the robot's own localization, particle_filter.py. The
-robot is that of robot_pipe.py."""
+"""client.py SOCKET own|ours ROBOT [ARGUMENT...]: does the same as client.c, with only Python's standard library (3.9 or
+later). reorient_companion.py is the connection. "own": the robot has its own localization, particle_filter.py, to which it
+applies Reorient's commands. ROBOT is a program that replaces a robot (robot_pipe.py)."""
 import select
 import struct
 import sys
@@ -21,7 +21,7 @@ def main(path, way, *robot):
         companion.image(robot.image())
         has = HAS_TIME | HAS_BODY | (felt.foot_load >= 0 and HAS_FOOT_LOAD)
         if felt.told_pose:
-            localization.told(felt.told_pose)
+            localization.set_pose(felt.told_pose)
             has |= HAS_TOLD_POSE
         localization.move(felt.odometry)
         localization.see(felt.posts)
@@ -29,7 +29,7 @@ def main(path, way, *robot):
         pose = head = walk = (0.0, 0.0, 0.0)
         answered = answer_has = 0
         sent = companion.send(felt.time, has, numbers, localization.particles if way == "own" else [])
-        while companion.socket and answered < companion.number:  # a robot does not wait
+        while companion.socket and answered < companion.number:  # only in this example: a robot must not wait
             for kind, answer in companion.receive():
                 if kind == REFUSAL:
                     print("refused:", answer.split(b"\0")[0].decode(), file=sys.stderr)
@@ -37,8 +37,8 @@ def main(path, way, *robot):
                     answered, answer_has, number, command = struct.unpack_from("<Q16xI4xII", answer)
                     values = struct.unpack_from("<18d", answer, 40)
                     pose, head, walk = values[3:6], values[12:15], values[15:18]
-                    carry_out = {FLIP: localization.flip, PURGE: localization.purge, RESET: localization.reset}
-                    carry_out.get(companion.command(answered, number, command), lambda: None)()
+                    actions = {FLIP: localization.flip, PURGE: localization.purge, RESET: localization.reset}
+                    actions.get(companion.command(answered, number, command), lambda: None)()
             if not sent or (companion.socket and answered < companion.number and
                             not select.select([companion.socket], [], [], 2.0)[0]):
                 break

@@ -11,7 +11,7 @@ static double uniform(struct particle_filter* filter) { /* in [0, 1) */
   return (double)(filter->random >> 11) / 9007199254740992.0;
 }
 
-static double normal(struct particle_filter* filter) { /* nearly */
+static double normal(struct particle_filter* filter) { /* approximately normal, deviation 1 */
   double sum = -6.0;
   int i;
   for (i = 0; i < 12; ++i) sum += uniform(filter);
@@ -33,7 +33,7 @@ void filter_begin(struct particle_filter* filter, double post_x, double post_y, 
   filter->random = seed * 2 + 1;
 }
 
-void filter_told(struct particle_filter* filter, const double pose[3]) {
+void filter_set_pose(struct particle_filter* filter, const double pose[3]) {
   int i;
   for (i = 0; i < PARTICLES; ++i) {
     struct particle* one = &filter->particles[i];
@@ -51,7 +51,7 @@ void filter_move(struct particle_filter* filter, const double odometry[3]) {
   const double turn = turned(odometry[2] - before[2]);
   const double forward = cos(before[2]) * dx + sin(before[2]) * dy, left = -sin(before[2]) * dx + cos(before[2]) * dy;
   const double way = hypot(dx, dy);
-  /* Errors of many small steps add up as their squares do. */
+  /* The variance grows in proportion to the distance, so the result does not depend on the length of a step. */
   const double spread = 0.06 * sqrt(way) + 0.02 * sqrt(fabs(turn)), twist = 0.05 * sqrt(fabs(turn)) + 0.03 * sqrt(way);
   int i;
   memcpy(filter->odometry, odometry, sizeof filter->odometry);
@@ -65,7 +65,8 @@ void filter_move(struct particle_filter* filter, const double odometry[3]) {
   }
 }
 
-/* How badly what was seen of a post fits the best of the four; soft, since frames are not independent. */
+/* Squared error of the observation of a post for the best of the four posts. The deviations are large, because the
+ * errors of successive frames are not independent. */
 static double mismatch(const struct particle_filter* filter, const struct particle* one, double bearing,
                        double distance) {
   double best = 100.0;
@@ -130,7 +131,7 @@ void filter_reset(struct particle_filter* filter) {
   for (i = 0; i < PARTICLES; i += 2) reflect(&filter->particles[i]);
 }
 
-/* Of those that look where most look: the mean of a pose and its reflection would be nowhere. */
+/* Mean of the particles with similar directions. A mean of all would be wrong if some particles are mirrored. */
 void filter_mean(const struct particle_filter* filter, double pose[3]) {
   double cosine = 0.0, sine = 0.0, sum = 0.0, best = -1.0;
   const struct particle* middle = filter->particles;

@@ -21,7 +21,7 @@ struct particle_filter {
 };
 
 void filter_begin(struct particle_filter* filter, double post_x, double post_y, uint64_t seed);
-void filter_told(struct particle_filter* filter, const double pose[3]);
+void filter_set_pose(struct particle_filter* filter, const double pose[3]);
 void filter_move(struct particle_filter* filter, const double odometry[3]);
 void filter_see(struct particle_filter* filter, const double* bearings, const double* distances, unsigned count);
 void filter_flip(struct particle_filter* filter);  /* mirrors all particles */

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A small localization of a team's own, as particle_filter.c: odometry, and bearings and rough distances to goal
-posts that all look the same."""
+"""A small example of a team's localization, the same as particle_filter.c. It uses odometry, and bearings and rough
+distances to goal posts, which all look the same."""
 import math
 import random
 
@@ -14,7 +14,7 @@ class ParticleFilter:
         self.odometry = (0.0, 0.0, 0.0)
         self.particles = []  # [x, y, rotation, weight]
 
-    def told(self, pose):
+    def set_pose(self, pose):
         normal = self.random.gauss
         self.particles = [[pose[0] + normal(0, 0.1), pose[1] + normal(0, 0.1), pose[2] + normal(0, 0.08), 1.0]
                           for _ in range(self.COUNT)]
@@ -26,7 +26,7 @@ class ParticleFilter:
         way = math.hypot(dx, dy)
         if way == 0 and turn == 0:
             return
-        # Errors of many small steps add up as their squares do.
+        # The variance grows in proportion to the distance, so the result does not depend on the length of a step.
         spread = 0.06 * math.sqrt(way) + 0.02 * math.sqrt(abs(turn))
         twist = 0.05 * math.sqrt(abs(turn)) + 0.03 * math.sqrt(way)
         heading = math.atan2(dy, dx) - before[2]
@@ -38,7 +38,7 @@ class ParticleFilter:
             one[2] += turn + normal(0, twist)
 
     def see(self, posts):
-        """Bearing and distance of each that was seen."""
+        """Use the bearing and distance of each post in view."""
         if not posts or not self.particles:
             return
         for one in self.particles:
@@ -47,7 +47,7 @@ class ParticleFilter:
             for bearing, distance in posts:
                 error = min((math.remainder(angle - bearing, 2 * math.pi) / 0.09) ** 2 + ((far / distance - 1) / 0.25) ** 2
                             for angle, far in expected)
-                one[3] *= 0.02 + math.exp(-0.5 * error)  # frames are not independent: be soft
+                one[3] *= 0.02 + math.exp(-0.5 * error)  # limits the weight, because the errors of successive frames are not independent
         total = sum(one[3] for one in self.particles)
         for one in self.particles:
             one[3] /= total
@@ -68,7 +68,7 @@ class ParticleFilter:
         self._reflect(self.particles[::2])
 
     def mean(self):
-        """Of those that look where most look: the mean of a pose and its reflection would be nowhere."""
+        """Mean of the particles with similar directions. A mean of all would be wrong if some particles are mirrored."""
         def near(middle):
             return [one for one in self.particles if math.cos(one[2] - middle[2]) > 0.5]
         if not self.particles:

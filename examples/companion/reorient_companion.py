@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A client of Reorient's companion in Python's standard library alone (3.9 or later): what reorient_companion.h is in C, for one
-camera. A file to copy; docs/companion.md says what the numbers mean."""
+"""A client of Reorient's companion with only Python's standard library (3.9 or later), for robots with one camera. It
+corresponds to reorient_companion.h in C. Copy this file; docs/companion.md explains the numbers."""
 import cmath
 import fcntl
 import math
@@ -19,22 +19,23 @@ LENS_OF_CAMERA, LENS_PINHOLE, LENS_FISHEYE, LENS_EQUIRECTANGULAR = 0, 1, 2, 3
 
 
 def lens(model, coefficients):
-    """For `lenses` of Companion: of a camera that is not a pinhole with two radial coefficients. OpenCV's coefficients."""
+    """Bytes for `lenses` of Companion, for a camera that is not a pinhole with two radial coefficients. The coefficients are
+    those of OpenCV."""
     padded = tuple(coefficients) + (0.0,) * (8 - len(coefficients))
     return struct.pack("<II8d", model, len(coefficients), *padded) + bytes(72)  # no second camera
 
 
 class Companion:
-    """The connection. It reconnects after a failure; no call blocks. `camera`: focal, center, distortion, position and
-    tilt of the one camera, 10 numbers; `body`: the name of a robot that Reorient knows, as bytes; `lenses`: what lens() gives,
-    where the camera is not a pinhole with two radial coefficients."""
+    """The connection. It reconnects after a failure, and no call blocks. `camera`: focal length, center, distortion, position
+    and tilt of the camera, 10 numbers; `body`: name of a shipped robot body, as bytes; `lenses`: result of lens() if the
+    camera is not a pinhole with two radial coefficients."""
 
     def __init__(self, path, way, body, width, height, camera, lenses=b""):
         self.path, self.socket, self.broken = path, None, False
         self.number = self.told = self.sequence = self.slot = 0
-        self.server, self.done = 0, (0, 0)  # the server, and the last command of which server
-        # An initial pose that the server may not have saved yet: the pose, its deviations, the odometry and the half at
-        # that time; the frames for which it stays stored after an answer, and the server that answered.
+        self.server, self.done = 0, (0, 0)  # id of the server; server and number of the last command
+        # An initial pose that the server may not have saved yet: pose, deviations, odometry and half at that time; number of
+        # frames for which it is stored after an answer; the server that answered.
         self.kept, self.kept_frames, self.kept_server, self.told_sent = None, 0, 0, False
         self.image_bytes = 2 * width * height
         self.slot_size = (SLOT_HEADER + self.image_bytes + 63) // 64 * 64
@@ -56,26 +57,26 @@ class Companion:
             self.socket.connect(self.path)
             peer = struct.unpack("3i", self.socket.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12))[1]
             if peer not in (0, os.geteuid()):
-                raise PermissionError  # anybody may listen in a folder that is everybody's
+                raise PermissionError  # in a folder that all users can write, any user can listen
             self.socket.sendall(struct.pack("<IHH", len(self.hello), HELLO, VERSION) + self.hello)
             message = struct.pack("<IHHII", 8, MEMORY, VERSION, 0, self.slot_size)
             self.socket.sendmsg([message], [(socket.SOL_SOCKET, socket.SCM_RIGHTS, struct.pack("i", self.memory))])
         except OSError:
-            self.broken = True  # what has come is still to be read: a refusal, perhaps
+            self.broken = True  # messages that have arrived must still be read, for example a refusal
         return not self.broken
 
     def image(self, pixels):
         self.slot = (self.slot + 1) % SLOTS
         at = self.slot * self.slot_size
-        self.images[at:at + 8] = struct.pack("<Q", self.sequence + 1)  # odd: it is being written
+        self.images[at:at + 8] = struct.pack("<Q", self.sequence + 1)  # odd: the image is being written
         self.images[at + SLOT_HEADER:at + SLOT_HEADER + len(pixels)] = pixels
         self.sequence += 2
         self.images[at:at + 8] = struct.pack("<Q", self.sequence)
 
     def send(self, time, has, numbers, particles):
-        """True: it is on its way. Else it is lost, since there is no server or it is slow. `numbers`: the 28 of reorient_frame
-        from odometry on. A told pose goes with the next frame then, and once more to the next server where the one that
-        answered it ends within two seconds."""
+        """Return True if the frame was sent. Otherwise it is lost, because no server runs or the server is slow. `numbers`: the
+        28 numbers of reorient_frame from odometry on. The next frame then contains the initial pose. If the server that
+        answered it ends within two seconds, the next server gets it again."""
         self.number += 1
         if has & HAS_TOLD_POSE:
             self.kept = (numbers[23:26], numbers[26:], numbers[:3], has & OTHER_HALF)
@@ -95,7 +96,7 @@ class Companion:
         return ready and not self.broken
 
     def move_kept(self, numbers, has):
-        """A told pose goes with the robot and into the axes of the other half; odometry is wrong by a tenth."""
+        """Move the stored initial pose with the odometry, whose error is 10 %, and into the axes of the other half."""
         (x, y, rotation), deviations, (from_x, from_y, before), half = self.kept
         way = complex(numbers[0] - from_x, numbers[1] - from_y)
         turned, turn = way * cmath.rect(1, rotation - before), numbers[2] - before
@@ -127,7 +128,7 @@ class Companion:
             except OSError:
                 piece = b""
             self.rest_in += piece
-            self.socket = self.socket if piece else None  # it is gone
+            self.socket = self.socket if piece else None  # None: the server has closed the connection
             while len(self.rest_in) >= 8:
                 size, kind = struct.unpack_from("<IH", self.rest_in)
                 if len(self.rest_in) < 8 + size:
@@ -144,7 +145,8 @@ class Companion:
                 yield kind, body
 
     def command(self, answered, number, kind):
-        """That is to be carried out now, None: none. Each is told once, and none that is older than a told pose."""
+        """Return the command to apply now, or None. Each command is returned once, and no command that is older than an initial
+        pose."""
         if self.server and number and answered >= self.told and (self.done[0] != self.server or self.done[1] < number):
-            self.done, self.kept = (self.server, number), None  # the belief is another one now
+            self.done, self.kept = (self.server, number), None  # the belief has changed
             return kind

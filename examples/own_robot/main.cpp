@@ -19,7 +19,7 @@ class OwnRobot : public Robot {
  public:
   bool observe(Observation& observation) override {
     if (frame_++ == 60 * 30) return false;
-    head_ = wanted_;  // these motors need no time
+    head_ = requested_;  // these motors need no time
     paint();
     observation = Observation();
     observation.time = frame_ / 30.0;
@@ -35,10 +35,10 @@ class OwnRobot : public Robot {
   }
 
   void answer(const Answer& answer) override {
-    if (!answer.request.head) return;                       // it cannot walk either
+    if (!answer.request.head) return;                       // this robot cannot walk
     const double step = answer.request.head->speed / 30.0;  // rad
-    wanted_.yaw += std::clamp(answer.request.head->angles.yaw - wanted_.yaw, -step, step);
-    wanted_.pitch = answer.request.head->angles.pitch;
+    requested_.yaw += std::clamp(answer.request.head->angles.yaw - requested_.yaw, -step, step);
+    requested_.pitch = answer.request.head->angles.pitch;
   }
 
  private:
@@ -56,23 +56,25 @@ class OwnRobot : public Robot {
   const Pose2 truth_{-2.0, -1.5, kPi / 2};
   CameraModel camera_ = CameraModel().scaled_to(160, 120);
   Image image_{160, 120};
-  HeadAngles head_, wanted_;
+  HeadAngles head_, requested_;
   int frame_ = 0;
 };
 
 int main(int argc, char** argv) try {
-  if (argc != 2) throw std::runtime_error("name the folder of the scripts: own_robot PREFIX/share/reorient/scripts");
+  if (argc != 2)
+    throw std::runtime_error("expected the folder of the scripts, as in: own_robot PREFIX/share/reorient/scripts");
   ScriptFiles scripts(argv[1]);
   FrameSetup setup;
   setup.scripts = scripts.texts();
   setup.behaviors = {"orientation", "background_training", "head_scan"};
-  // From where it stands, the shipped width would show one side of the room only, and nothing to compare it with.
+  // At this position a scan with the shipped width sees only one side of the room, so no tiles can be compared with the
+  // mirrored tiles.
   setup.parameters = {{"head_scan.width", "1.9", ParameterOrigin::live, "own_robot"}};
   FrameLoop engine(std::move(setup));
   OwnRobot robot;
   FrameInputs inputs;
   while (robot.observe(inputs.observation)) {
-    inputs.script_edits = scripts.poll(inputs.observation.time);  // saved scripts are taken over at once
+    inputs.script_edits = scripts.poll(inputs.observation.time);  // saved scripts are reloaded at once
     const FrameRecord& record = engine.step(inputs);
     robot.answer(record.answer);
     for (const CommandRecord& command : record.commands)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room awareness alone, in a program that localizes itself: the inputs are images and the
-// believed pose, the output is whether the belief is the mirrored pose. Here the images are generated, and the belief
-// is mirrored on purpose.
+// Room awareness alone, in a program with its own localization: the inputs are images and the believed pose, the output
+// is the evidence that the belief is mirrored. Here the images are generated, and the belief is mirrored on purpose.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -37,25 +36,26 @@ void paint(Image& image, const CameraModel& camera, double direction) {
   }
 }
 
-/// A robot that stands, looks about and asks the room about its belief: the place where a team's own program would be.
+/// A robot that stands, scans with its head and checks its belief with the room. A team replaces it with its own
+/// program.
 class Localization {
  public:
   Pose2 belief = kTruth;
   bool train = true;
 
-  /// Asks with each frame of some seconds. The time until the room said "flip", or nothing.
+  /// Runs frames for some seconds. Returns the time until the evidence required a flip, or nothing.
   std::optional<double> flipped_within(double seconds) {
     constexpr double kSure = 9.2;  // log-odds: one such flip in 10 000 is wrong
     for (double begin = time_; time_ < begin + seconds; time_ += kFrame) {
       if (look().evidence < kSure) continue;
-      belief = reflect(belief);  // a pose filter turns all of its particles
+      belief = reflect(belief);  // a pose filter mirrors all of its particles
       room_.on_flip();
       return time_ - begin;
     }
     return std::nullopt;
   }
 
-  /// Call it after the belief was changed: the evidence so far is about the previous belief.
+  /// Call this after the belief was set, because the evidence so far belongs to the previous belief.
   void start_at(const Pose2& pose) {
     belief = pose;
     room_.restart();
@@ -73,7 +73,7 @@ class Localization {
     view.camera = camera_;
     view.robot_from_camera = robot_from_camera(RobotDimensions(), {yaw, 0.0}, {}, RobotDimensions().torso_height);
     view.belief = belief;
-    view.odometry_rotation = 0.0;  // it stands
+    view.odometry_rotation = 0.0;  // the robot stands
     view.train = train;
     return room_.update(view);
   }
@@ -84,7 +84,7 @@ class Localization {
   double time_ = 0.0;                        // s
 };
 
-/// One line, and whether it was the right answer.
+/// Prints one line and returns whether the decision was the expected one.
 bool report(const char* situation, std::optional<double> flipped, bool expected, const Confidences& room) {
   std::printf("%s: %s", situation, flipped ? "flip" : "keep");
   if (flipped) {
@@ -102,9 +102,9 @@ int main() {
   bool right = report("learning", robot.flipped_within(20.0), false, robot.confidences());
   robot.train = false;  // training with a mirrored belief would learn a mirrored room
   robot.start_at(kTruth);
-  right &= report("right belief", robot.flipped_within(8.0), false, robot.confidences());
+  right &= report("correct belief", robot.flipped_within(8.0), false, robot.confidences());
   robot.start_at(reflect(kTruth));
-  right &= report("reflected belief", robot.flipped_within(8.0), true, robot.confidences());
+  right &= report("mirrored belief", robot.flipped_within(8.0), true, robot.confidences());
   right &= report("after the flip", robot.flipped_within(8.0), false, robot.confidences());
   return right ? 0 : 1;
 }
