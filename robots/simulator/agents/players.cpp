@@ -15,14 +15,15 @@ Players::Players(int count, const FieldDimensions& field, const Eigen::Vector2d&
   constexpr int kTries = 200;
   for (int i = 0; i < count; ++i) {
     for (int attempt = 0; attempt < kTries; ++attempt) {
-      const Eigen::Vector2d place = somewhere();
-      const bool free = (place - keep_clear_of).norm() > kApart &&
-                        std::all_of(players_.begin(), players_.end(),
-                                    [&](const Player& other) { return (other.pose.position - place).norm() > kApart; });
+      const Eigen::Vector2d position = random_position();
+      const bool free = (position - keep_clear_of).norm() > kApart &&
+                        std::all_of(players_.begin(), players_.end(), [&](const Player& other) {
+                          return (other.pose.position - position).norm() > kApart;
+                        });
       if (!free) continue;
       Player player;
-      player.pose = Pose2(place, random_.uniform(-kPi, kPi));
-      player.goal = somewhere();
+      player.pose = Pose2(position, random_.uniform(-kPi, kPi));
+      player.goal = random_position();
       player.stride = random_.uniform(0.0, 2.0 * kPi);
       player.team = i % 2;
       players_.push_back(player);
@@ -31,7 +32,7 @@ Players::Players(int count, const FieldDimensions& field, const Eigen::Vector2d&
   }
 }
 
-Eigen::Vector2d Players::somewhere() {
+Eigen::Vector2d Players::random_position() {
   constexpr double kInside = 0.6;  // m from the lines, clear of the goals
   const double x = 0.5 * field_.length - kInside;
   const double y = 0.5 * field_.width - kInside;
@@ -63,20 +64,20 @@ void Players::advance(double time_step, const Eigen::Vector2d& robot, std::span<
       player.wait -= time_step;
       continue;
     }
-    const Eigen::Vector2d way = player.goal - player.pose.position;
-    if (way.norm() < 0.1) {
-      player.goal = somewhere();
+    const Eigen::Vector2d path = player.goal - player.pose.position;
+    if (path.norm() < 0.1) {
+      player.goal = random_position();
       player.wait = random_.uniform(0.5, 6.0);
       continue;
     }
-    const double off = angle_difference(direction_of(way), player.pose.rotation);
+    const double off = angle_difference(direction_of(path), player.pose.rotation);
     const double most = kTurnSpeed * time_step;
     player.pose.rotation = normalize_angle(player.pose.rotation + std::clamp(off, -most, most));
     player.stride = std::fmod(player.stride + kStride * time_step, 2.0 * kPi);
     if (std::abs(off) > 0.6) continue;
     const Eigen::Vector2d next = player.pose * Eigen::Vector2d(kSpeed * time_step, 0.0);
     if (barred(player, next, robot, barriers)) {
-      player.goal = somewhere();
+      player.goal = random_position();
       player.wait = random_.uniform(0.5, 2.0);
     } else {
       player.pose.position = next;

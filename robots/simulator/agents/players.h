@@ -33,7 +33,7 @@ class Players {
   static constexpr double kRadius = 0.16;  ///< m, for collisions
 
  private:
-  Eigen::Vector2d somewhere();
+  Eigen::Vector2d random_position();
   bool barred(const Player& player, const Eigen::Vector2d& next, const Eigen::Vector2d& robot,
               std::span<const Barrier> barriers) const;
 

@@ -22,11 +22,11 @@ PersonLook any_look(const LinearColor& light, Random& random) {
 
 Spectators::Spectators(int count, const RoomShape& room, const FieldDimensions& field, const LinearColor& light,
                        std::uint64_t seed)
-    : room_(room), field_(field), light_(light), comers_(seed, 0xc03e25) {
+    : room_(room), field_(field), light_(light), newcomers_(seed, 0xc03e25) {
   Random random(seed, 0x9e091e);
   // In a symmetric room each person also stands on the opposite side.
-  const int places = room_.symmetry == RoomSymmetry::none ? count : count / 2;
-  for (int i = 0; i < places; ++i) {
+  const int positions = room_.symmetry == RoomSymmetry::none ? count : count / 2;
+  for (int i = 0; i < positions; ++i) {
     if (const auto spectator = draw_spectator(random)) spectators_.push_back(*spectator);
   }
 }
@@ -44,7 +44,7 @@ std::optional<Spectators::Spectator> Spectators::draw_spectator(Random& random) 
   const double room_left = out.norm() - kFromWall;
   if (room_left < 0.0) return std::nullopt;
   Spectator spectator;
-  spectator.place = edge + out.normalized() * random.uniform(0.0, room_left);
+  spectator.position = edge + out.normalized() * random.uniform(0.0, room_left);
   const bool strolls = random.uniform() < 0.15;
   spectator.stroll = strolls
                          ? Eigen::Vector2d(random.uniform(0.3, 1.0) * Eigen::Vector2d(-out.y(), out.x()).normalized())
@@ -61,8 +61,8 @@ std::optional<Spectators::Spectator> Spectators::draw_spectator(Random& random) 
 void Spectators::exchange(double probability) {
   if (probability <= 0.0) return;
   for (Spectator& spectator : spectators_) {
-    if (comers_.uniform() >= probability) continue;
-    if (const auto comer = draw_spectator(comers_)) spectator = *comer;
+    if (newcomers_.uniform() >= probability) continue;
+    if (const auto newcomer = draw_spectator(newcomers_)) spectator = *newcomer;
   }
 }
 
@@ -70,9 +70,10 @@ void Spectators::add_to(Scene& scene, double time) const {
   for (const Spectator& person : spectators_) {
     const double lean = person.restless * (pinned::sin(person.pace * 3.1 * time + person.phase) +
                                            0.5 * pinned::sin(person.pace * 7.3 * time + 2.0 * person.phase));
-    const Eigen::Vector2d place = person.place + pinned::sin(0.4 * person.pace * time + person.phase) * person.stroll;
-    add_person(scene, place, person.height, lean, person.look);
-    if (room_.symmetry != RoomSymmetry::none) add_person(scene, -place, person.height, lean, person.look);
+    const Eigen::Vector2d position =
+        person.position + pinned::sin(0.4 * person.pace * time + person.phase) * person.stroll;
+    add_person(scene, position, person.height, lean, person.look);
+    if (room_.symmetry != RoomSymmetry::none) add_person(scene, -position, person.height, lean, person.look);
   }
 }
 

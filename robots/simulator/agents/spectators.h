@@ -27,8 +27,8 @@ class Spectators {
 
  private:
   struct Spectator {
-    Eigen::Vector2d place;
-    Eigen::Vector2d stroll;  // m, farthest offset from `place`; zero for most
+    Eigen::Vector2d position;
+    Eigen::Vector2d stroll;  // m, farthest offset from `position`; zero for most
     double height;           // m
     double phase;            // rad
     double pace;             // rad/s
@@ -42,7 +42,7 @@ class Spectators {
   RoomShape room_;
   FieldDimensions field_;
   LinearColor light_;
-  Random comers_;  // for new people in exchange()
+  Random newcomers_;  // for new people in exchange()
   std::vector<Spectator> spectators_;
 };
 

@@ -24,8 +24,8 @@ struct Clearance {
 inline Clearance clearance(const Barrier& barrier, const Eigen::Vector2d& point) {
   const Eigen::Vector2d line = barrier.to - barrier.from;
   const double length2 = line.squaredNorm();
-  const double share = length2 > 0.0 ? std::clamp((point - barrier.from).dot(line) / length2, 0.0, 1.0) : 0.0;
-  const Eigen::Vector2d apart = point - barrier.from - share * line;
+  const double fraction = length2 > 0.0 ? std::clamp((point - barrier.from).dot(line) / length2, 0.0, 1.0) : 0.0;
+  const Eigen::Vector2d apart = point - barrier.from - fraction * line;
   const double distance = apart.norm();
   return {distance - barrier.radius, distance > 1e-9 ? Eigen::Vector2d(apart / distance) : Eigen::Vector2d::UnitX()};
 }

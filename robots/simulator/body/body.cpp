@@ -17,8 +17,8 @@ double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
 /// From 0 to 1, with a soft start and end.
-double ease(double share) {
-  const double s = std::clamp(share, 0.0, 1.0);
+double ease(double fraction) {
+  const double s = std::clamp(fraction, 0.0, 1.0);
   return s * s * (3.0 - 2.0 * s);
 }
 
@@ -107,13 +107,13 @@ void Body::push_over() {
   velocity_ = {};
   // On its face, on its back, or sometimes on a side.
   constexpr double kDown = 1.52;
-  const double way = random_.uniform();
-  if (way < 0.4) {
+  const double direction = random_.uniform();
+  if (direction < 0.4) {
     lying_ = {0.0, kDown};
-  } else if (way < 0.8) {
+  } else if (direction < 0.8) {
     lying_ = {0.0, -kDown};
   } else {
-    lying_ = {way < 0.9 ? kDown : -kDown, 0.0};
+    lying_ = {direction < 0.9 ? kDown : -kDown, 0.0};
   }
 }
 
@@ -140,16 +140,16 @@ void Body::walk(double time_step, const Request& request) {
 
   // Along the arc: half of the turn before the translation, half after it.
   const double turn = velocity_.turn * time_step;
-  const Eigen::Vector2d way = rotated({velocity_.forward * time_step, velocity_.left * time_step}, 0.5 * turn);
-  const Pose2 step(way, turn);
+  const Eigen::Vector2d translation = rotated({velocity_.forward * time_step, velocity_.left * time_step}, 0.5 * turn);
+  const Pose2 step(translation, turn);
   pose_ = pose_ * step;
   dead_reckon(step);
 
-  const auto share = [](double speed, double limit) { return limit > 0.0 ? std::abs(speed) / limit : 0.0; };
-  const double effort =
-      std::clamp(share(velocity_.forward, parameters_.forward_limit) + share(velocity_.left, parameters_.left_limit) +
-                     share(velocity_.turn, parameters_.turn_limit),
-                 0.0, 1.0);
+  const auto fraction = [](double speed, double limit) { return limit > 0.0 ? std::abs(speed) / limit : 0.0; };
+  const double effort = std::clamp(fraction(velocity_.forward, parameters_.forward_limit) +
+                                       fraction(velocity_.left, parameters_.left_limit) +
+                                       fraction(velocity_.turn, parameters_.turn_limit),
+                                   0.0, 1.0);
   effort_ = toward(effort_, effort, 3.0 * time_step);
   gait_ = effort_ > 0.0 ? std::fmod(gait_ + 2.0 * kPi * parameters_.step_frequency * time_step, 2.0 * kPi) : 0.0;
 }
@@ -179,11 +179,11 @@ void Body::balance(double time_step, bool get_up) {
       break;
     }
     case Posture::falling: {
-      const double share = since_ / parameters_.fall_time;
-      const double down = std::min(1.0, share * share);
+      const double fraction = since_ / parameters_.fall_time;
+      const double down = std::min(1.0, fraction * fraction);
       torso_ = {down * lying_.roll, down * lying_.pitch};
       torso_height_ = std::lerp(stand, robot_.lying_height, down);
-      if (share >= 1.0) {
+      if (fraction >= 1.0) {
         posture_ = Posture::lying;
         since_ = 0.0;
       }
@@ -194,13 +194,13 @@ void Body::balance(double time_step, bool get_up) {
       if (get_up && !penalized_ && robot_.get_up_time) stand_up_again();
       break;
     case Posture::getting_up: {
-      const double share = since_ / parameters_.get_up_time;
-      const double up = ease(1.6 * share - 0.5);  // arms and legs first
+      const double fraction = since_ / parameters_.get_up_time;
+      const double up = ease(1.6 * fraction - 0.5);  // arms and legs first
       const double rock = 0.15 * pinned::sin(9.0 * since_) * (1.0 - up) * std::min(1.0, since_);
       torso_ = {(1.0 - up) * lying_.roll + rock, (1.0 - up) * lying_.pitch + 0.5 * rock};
       torso_height_ = std::lerp(robot_.lying_height, stand, up);
       pose_.rotation = normalize_angle(pose_.rotation + slip_ * time_step / parameters_.get_up_time);
-      if (share >= 1.0) set_down();
+      if (fraction >= 1.0) set_down();
       break;
     }
     case Posture::carried: {
@@ -214,10 +214,10 @@ void Body::balance(double time_step, bool get_up) {
         pose_.rotation = normalize_angle(pose_.rotation + 0.25 * pinned::sin(1.1 * t) * time_step);
         break;
       }
-      const double share = (since_ - hands_.lowered_since) / hands_.lower_time;
-      torso_height_ = std::lerp(hands_.held_at, stand, ease(share));
-      torso_ = {(1.0 - ease(share)) * torso_.roll, (1.0 - ease(share)) * torso_.pitch};
-      if (share >= 1.0) set_down();
+      const double fraction = (since_ - hands_.lowered_since) / hands_.lower_time;
+      torso_height_ = std::lerp(hands_.held_at, stand, ease(fraction));
+      torso_ = {(1.0 - ease(fraction)) * torso_.roll, (1.0 - ease(fraction)) * torso_.pitch};
+      if (fraction >= 1.0) set_down();
       break;
     }
   }

@@ -5,7 +5,7 @@
 namespace reorient {
 
 /// Fraction of [center - half, center + half] that lies in [low, high], in [0, 1].
-inline float covered_share(float center, float half, float low, float high) {
+inline float covered_fraction(float center, float half, float low, float high) {
   const float from = center - half > low ? center - half : low;
   const float to = center + half < high ? center + half : high;
   const float inside = to - from;

@@ -146,14 +146,15 @@ REORIENT_WIDE void Optics::blur_by_lens(const Frame& from, Frame& to) {
 REORIENT_WIDE void Optics::blur_by_motion(const Frame& from, const Eigen::Vector2d& motion, Frame& to) {
   // Points along the path, at most a pixel apart; between pixels, their weighted mean.
   const int taps = static_cast<int>(std::ceil(motion.cwiseAbs().maxCoeff())) + 1;
-  const auto share = 1.0f / static_cast<float>(taps);
+  const auto fraction = 1.0f / static_cast<float>(taps);
   taps_.clear();
   for (int tap = 0; tap < taps; ++tap) {
     const double along = taps > 1 ? static_cast<double>(tap) / (taps - 1) - 0.5 : 0.0;
     const double u = along * motion.x();
     const int column = static_cast<int>(std::floor(u));
     const auto right = static_cast<float>(u - column);
-    taps_.push_back({column, static_cast<int>(std::lround(along * motion.y())), share * (1.0f - right), share * right});
+    taps_.push_back(
+        {column, static_cast<int>(std::lround(along * motion.y())), fraction * (1.0f - right), fraction * right});
   }
   constexpr int kMargin = kFarthest + 1;
   const std::size_t stride = static_cast<std::size_t>(from.width) + 2 * kMargin;

@@ -23,8 +23,8 @@ std::vector<float> make_vignette(const RayTable& rays, double loss) {
   if (!rays.is_perspective()) {  // the tangent ends at 90 degrees; 1 - cosine also grows with the square of the angle
     const float least = *std::min_element(rays.forward.begin(), rays.forward.end());
     for (std::size_t i = 0; i < vignette.size(); ++i) {
-      const float share = (1.0f - rays.forward[i]) / std::max(1e-6f, 1.0f - least);
-      vignette[i] = 1.0f - static_cast<float>(loss) * share * (1.4f - 0.4f * share);
+      const float fraction = (1.0f - rays.forward[i]) / std::max(1e-6f, 1.0f - least);
+      vignette[i] = 1.0f - static_cast<float>(loss) * fraction * (1.4f - 0.4f * fraction);
     }
     return vignette;
   }
@@ -32,9 +32,9 @@ std::vector<float> make_vignette(const RayTable& rays, double loss) {
   for (const float length : rays.length) greatest = std::max(greatest, length);
   const float corner = std::max(1e-6f, greatest * greatest - 1.0f);
   for (std::size_t i = 0; i < vignette.size(); ++i) {
-    const float share =
+    const float fraction =
         (rays.length[i] * rays.length[i] - 1.0f) / corner;  // squared distance from the axis, 1 at the corners
-    vignette[i] = 1.0f - static_cast<float>(loss) * share * (1.4f - 0.4f * share);
+    vignette[i] = 1.0f - static_cast<float>(loss) * fraction * (1.4f - 0.4f * fraction);
   }
   return vignette;
 }
@@ -112,9 +112,9 @@ void Sensor::adapt(const Frame& frame, double time_step) {
   constexpr double kRange = 4.0;  // largest factor of the sensor's gain, up and down
   const double target =
       std::clamp(parameters_.brightness / mean, parameters_.exposure / kRange, parameters_.exposure * kRange);
-  const double share = adapted_ ? 1.0 - pinned::exp(-time_step / parameters_.adaptation_time) : 1.0;
+  const double fraction = adapted_ ? 1.0 - pinned::exp(-time_step / parameters_.adaptation_time) : 1.0;
   adapted_ = true;
-  exposure_ *= pinned::pow(target / exposure_, share);
+  exposure_ *= pinned::pow(target / exposure_, fraction);
 }
 
 REORIENT_WIDE void Sensor::blur_row(const Frame& frame, int row, Channels& blurred) const {
@@ -174,12 +174,12 @@ REORIENT_WIDE void Sensor::develop(const Channels& light, const Amplifier& ampli
 REORIENT_WIDE void Sensor::write_row(std::uint64_t number, int row, const Amplifier& amplifier,
                                      std::uint8_t* __restrict bytes) {
   const std::size_t width = luma_.size();
-  const std::uint64_t place =
+  const std::uint64_t offset =
       scatter(seed_ + number * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(row) * 0xD1B54A32D192ED03ull);
   const std::size_t range = kNoise - width;
-  const float* __restrict luma_noise = noise_.data() + place % range;
-  const float* __restrict cb_noise = noise_.data() + (place >> 20) % range;
-  const float* __restrict cr_noise = noise_.data() + (place >> 40) % range;
+  const float* __restrict luma_noise = noise_.data() + offset % range;
+  const float* __restrict cb_noise = noise_.data() + (offset >> 20) % range;
+  const float* __restrict cr_noise = noise_.data() + (offset >> 40) % range;
   const float* __restrict luma = luma_.data();
   const float* __restrict cb = blue_.data();
   const float* __restrict cr = red_.data();

@@ -293,7 +293,7 @@ REORIENT_WIDE void Surfaces::relight(int row, const Illumination& illumination, 
   illumination.gains(hits_.x, hits_.y, hits_.gain);
   const float dark_x = illumination.toward_dark.x();
   const float dark_y = illumination.toward_dark.y();
-  const bool lamps_off = illumination.share_off > 0.0f;
+  const bool lamps_off = illumination.fraction_off > 0.0f;
   const int width = frame.width;
   const float* __restrict x = hits_.x.data();
   const float* __restrict y = hits_.y.data();

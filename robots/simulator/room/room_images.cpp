@@ -39,8 +39,9 @@ void repeat_first_wall(LinearImage& walls, const RoomShape& shape, float strengt
     const double width = wall_begin(shape, side + 1) - begin;
     const int last = side == 3 ? walls.width : static_cast<int>(columns * (begin + width));
     for (int x = static_cast<int>(columns * begin); x < last; ++x) {
-      const double share = ((x + 0.5) / columns - begin) / width;
-      const int from = std::clamp(static_cast<int>(share * first * columns), 0, static_cast<int>(first * columns) - 1);
+      const double fraction = ((x + 0.5) / columns - begin) / width;
+      const int from =
+          std::clamp(static_cast<int>(fraction * first * columns), 0, static_cast<int>(first * columns) - 1);
       for (int y = 0; y < walls.height; ++y) {
         walls.at(x, y) = mixed(painted.at(x, y), painted.at(from, y), strength);
       }
@@ -48,11 +49,11 @@ void repeat_first_wall(LinearImage& walls, const RoomShape& shape, float strengt
   }
 }
 
-/// Scales the saturation by `share`; the brightness stays the same.
-void fade(LinearImage& image, float share) {
+/// Scales the saturation by `fraction`; the brightness stays the same.
+void fade(LinearImage& image, float fraction) {
   for (LinearColor& color : image.pixels) {
     const float gray = 0.299f * color.x() + 0.587f * color.y() + 0.114f * color.z();
-    color = gray + share * (color - gray);
+    color = gray + fraction * (color - gray);
   }
 }
 

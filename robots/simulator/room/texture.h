@@ -90,7 +90,7 @@ class Texture {
   };
 
   /// From texels[0] to texels[1].
-  static Color between(const Texel* texels, float share) {
+  static Color between(const Texel* texels, float fraction) {
     using Pair = std::uint16_t __attribute__((vector_size(16)));
     using Whole = std::int32_t __attribute__((vector_size(16)));
     static_assert(std::endian::native == std::endian::little, "interleaving with zeros needs little endian");
@@ -101,7 +101,7 @@ class Texture {
     const Pair right = __builtin_shufflevector(pair, zeros, 4, 8, 5, 8, 6, 8, 7, 8);
     const Color from = __builtin_convertvector(std::bit_cast<Whole>(left), Color);
     const Color to = __builtin_convertvector(std::bit_cast<Whole>(right), Color);
-    return from + share * (to - from);
+    return from + fraction * (to - from);
   }
   static float limit(float value, float greatest) {
     const float positive = value > 0.0f ? value : 0.0f;
@@ -123,11 +123,11 @@ template <typename Take>
   alignas(32) float across[kBlock];
   alignas(32) float up[kBlock];
   for (int begin = 0; begin < count; begin += kBlock) {
-    const int places = count - begin < kBlock ? count - begin : kBlock;
+    const int points = count - begin < kBlock ? count - begin : kBlock;
     const float* __restrict from_left = u + begin;
     const float* __restrict from_below = v + begin;
 #pragma GCC ivdep
-    for (int i = 0; i < places; ++i) {
+    for (int i = 0; i < points; ++i) {
       const float column = limit(from_left[i] * l.scale_u + 0.5f, l.last_column);
       const float row = limit(from_below[i] * l.scale_v + 0.5f, l.last_row);
       const int left = static_cast<int>(column);
@@ -136,8 +136,8 @@ template <typename Take>
       across[i] = column - static_cast<float>(left);
       up[i] = row - static_cast<float>(below);
     }
-    for (int i = 0; i < kAhead; ++i) offset[places + i] = offset[places - 1];
-    for (int i = 0; i < places; ++i) {
+    for (int i = 0; i < kAhead; ++i) offset[points + i] = offset[points - 1];
+    for (int i = 0; i < points; ++i) {
       __builtin_prefetch(l.texels + offset[i + kAhead]);
       __builtin_prefetch(l.texels + offset[i + kAhead] + l.stride);
       const Texel* lower = l.texels + offset[i];

@@ -102,7 +102,7 @@ TEST(HallLight, TurnsOffHalfOfTheLampsInAThirdOfTheHalls) {
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     HallLight light(parameters, 7.0, seed);
     light.change();
-    off += light.illumination().share_off > 0.0f ? 1 : 0;
+    off += light.illumination().fraction_off > 0.0f ? 1 : 0;
   }
   EXPECT_NEAR(off / 600.0, 1.0 / 3.0, 0.06);
 }
@@ -133,7 +133,7 @@ TEST(Illumination, AddsAllStopsInTheMiddleOfAQuarterAndHalfOfThemAtItsEnds) {
 
 TEST(Illumination, IsDarkerWhereTheLampsAreOff) {
   Illumination illumination;
-  illumination.share_off = 0.65f;
+  illumination.fraction_off = 0.65f;
   illumination.toward_dark = Eigen::Vector2f::UnitY();
   illumination.lamp_height = 4.0f;
   EXPECT_NEAR(illumination.gain(0.0f, 1e4f), 0.35f, 1e-3f);
@@ -149,11 +149,11 @@ TEST(WallPatches, CoverTheRequestedFractionOfTheWallForEachSeed) {
   for (const RoomShape& shape : {RoomShape{}, round}) {
     Room room;
     room.shape = shape;
-    for (const double share : {0.1, 0.2, 0.4}) {
+    for (const double fraction : {0.1, 0.2, 0.4}) {
       for (std::uint64_t seed = 0; seed < 20; ++seed) {
         Random random(seed);
-        const WallPatches patches(share, 3.5, room, random);
-        EXPECT_NEAR(patches.area() / (3.5 * wall_perimeter(shape)), share, 0.002);
+        const WallPatches patches(fraction, 3.5, room, random);
+        EXPECT_NEAR(patches.area() / (3.5 * wall_perimeter(shape)), fraction, 0.002);
       }
     }
   }
@@ -163,7 +163,7 @@ TEST(Illumination, IsTheSameAfterARotationBy180DegreesIfItIsRepeated) {
   Illumination illumination;
   illumination.daylight_stops = 1.0f;
   illumination.daylight = unit_vector(0.4).cast<float>();
-  illumination.share_off = 0.65f;
+  illumination.fraction_off = 0.65f;
   illumination.toward_dark = Eigen::Vector2f::UnitY();
   illumination.repeated = true;
   for (const Eigen::Vector2f& place : {Eigen::Vector2f(8.0f, 2.0f), Eigen::Vector2f(-3.0f, 6.0f), {0.5f, -6.0f}})

@@ -125,11 +125,11 @@ TEST(RollingShutter, SkewsAVerticalEdgeByReadoutTimeTimesSpeed) {
   EXPECT_NEAR(edge_in(still, kTop), edge_in(still, kBottom), 0.05);
   for (const double speed : {-2.0, 1.0, 3.0}) {
     const Frame& skewed = renderer.render(eye, Scene{}, {0.0, 0.0, speed}, kReadout);
-    const double share = static_cast<double>(kBottom - kTop) / camera.height;
+    const double fraction = static_cast<double>(kBottom - kTop) / camera.height;
     const double moved = edge_in(skewed, kBottom) - edge_in(skewed, kTop);
     // The camera turns to the left, so static things are farther to the right in later rows.
     constexpr double kEdge = 0.6;  // pixels, precision of the edge detection
-    EXPECT_NEAR(moved, share * speed * kReadout * camera.focal.x(), kEdge) << speed << " rad/s";
+    EXPECT_NEAR(moved, fraction * speed * kReadout * camera.focal.x(), kEdge) << speed << " rad/s";
     EXPECT_NEAR(edge_in(skewed, 120), edge_in(still, 120), 0.2) << "the middle row has the camera's pose";
   }
 }

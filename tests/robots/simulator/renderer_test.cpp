@@ -126,7 +126,7 @@ Scene crowded() {
 }
 
 /// Fraction of the pixels that show another thing than a pinhole does in the same direction.
-double differing_share(const CameraModel& model, const HeadAngles& head) {
+double differing_fraction(const CameraModel& model, const HeadAngles& head) {
   CameraModel pinhole = CameraModel::from_fields_of_view(640, 480, from_degrees(100.0), from_degrees(85.0));
   const Scene scene = crowded();
   const Isometry3 pose = standing({0.1, 0.2, 0.3}, head);
@@ -156,16 +156,16 @@ double differing_share(const CameraModel& model, const HeadAngles& head) {
 
 TEST(Renderer, ShowsThroughAnyLensWhatAPinholeShowsInTheSameDirection) {
   for (const HeadAngles& head : {HeadAngles{0.0, 0.2}, HeadAngles{-0.7, 0.4}, HeadAngles{1.5, -0.2}}) {
-    const double usual = differing_share(camera_with(CameraProjection::pinhole, {0.05, 0.0}, 90.0, 75.0), head);
+    const double usual = differing_fraction(camera_with(CameraProjection::pinhole, {0.05, 0.0}, 90.0, 75.0), head);
     EXPECT_LT(usual, 0.05) << "along the edges of things";
     EXPECT_LT(
-        differing_share(camera_with(CameraProjection::pinhole, {-0.2, 0.05, 0.002, -0.001, 0.01}, 90.0, 75.0), head),
+        differing_fraction(camera_with(CameraProjection::pinhole, {-0.2, 0.05, 0.002, -0.001, 0.01}, 90.0, 75.0), head),
         usual + 0.01);
     EXPECT_LT(
-        differing_share(camera_with(CameraProjection::fisheye, {0.02, -0.004, 0.001, -0.0002}, 160.0, 130.0), head),
+        differing_fraction(camera_with(CameraProjection::fisheye, {0.02, -0.004, 0.001, -0.0002}, 160.0, 130.0), head),
         usual + 0.04);
-    EXPECT_LT(differing_share(camera_with(CameraProjection::fisheye, {}, 220.0, 180.0), head), usual + 0.05);
-    EXPECT_LT(differing_share(camera_with(CameraProjection::equirectangular, {}, 180.0, 120.0), head), usual + 0.04);
+    EXPECT_LT(differing_fraction(camera_with(CameraProjection::fisheye, {}, 220.0, 180.0), head), usual + 0.05);
+    EXPECT_LT(differing_fraction(camera_with(CameraProjection::equirectangular, {}, 180.0, 120.0), head), usual + 0.04);
   }
 }
 

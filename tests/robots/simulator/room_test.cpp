@@ -137,10 +137,10 @@ float difference_after_quarters(const Room& room, int quarters) {
   float greatest = 0.0f;
   for (int side = 0; side < 4; ++side) {
     const int other = (side + quarters) % 4;
-    for (double share = 0.02; share < 1.0; share += 0.04) {
+    for (double fraction = 0.02; fraction < 1.0; fraction += 0.04) {
       const auto at = [&](int wall) {
         const double begin = wall_begin(room.shape, wall);
-        return begin + share * (wall_begin(room.shape, wall + 1) - begin);
+        return begin + fraction * (wall_begin(room.shape, wall + 1) - begin);
       };
       for (double height = 0.5; height < 5.0; height += 0.5)
         greatest = std::max(

@@ -27,7 +27,7 @@ void HallLight::change() {
   daylight_azimuth_ = random_.uniform(-kPi, kPi);
   turn_daylight();
   // Lamps hang in rows along the walls, and a switch turns off whole rows. So the dark half faces one of the walls.
-  illumination_.share_off = static_cast<float>(random_.uniform() < p.lamps_off ? 1.0 - p.lamps_off_light : 0.0);
+  illumination_.fraction_off = static_cast<float>(random_.uniform() < p.lamps_off ? 1.0 - p.lamps_off_light : 0.0);
   illumination_.toward_dark = unit_vector(0.5 * kPi * static_cast<double>(random_.below(4))).cast<float>();
 }
 

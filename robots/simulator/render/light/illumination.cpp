@@ -28,7 +28,7 @@ REORIENT_WIDE void Illumination::gains(std::span<const float> x, std::span<const
   for (int i = 0; i < count; ++i) {
     const float beside = toward_dark.x() * east[i] + toward_dark.y() * north[i];
     const float side = repeated ? std::abs(beside) : beside;
-    gain[i] *= 1.0f - 0.5f * share_off * (1.0f + side / std::sqrt(side * side + height2));
+    gain[i] *= 1.0f - 0.5f * fraction_off * (1.0f + side / std::sqrt(side * side + height2));
   }
 }
 

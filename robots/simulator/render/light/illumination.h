@@ -19,12 +19,12 @@ struct Illumination {
   Eigen::Vector2f daylight = Eigen::Vector2f::UnitX();     ///< direction from the center to the daylight
   float daylight_stops = 0.0f;                             ///< powers of two, largest gain
   Eigen::Vector2f toward_dark = Eigen::Vector2f::UnitX();  ///< from the center into the half whose lamps are off
-  float share_off = 0.0f;                                  ///< fraction of light that comes from lamps; 0: all are on
+  float fraction_off = 0.0f;                               ///< fraction of light that comes from lamps; 0: all are on
   float lamp_height = 5.0f;                                ///< m
   /// Daylight and dark lamps are on both sides, for a symmetric room: a point has the light of its mirrored point.
   bool repeated = false;
 
-  bool as_usual() const { return daylight_stops == 0.0f && share_off == 0.0f; }
+  bool as_usual() const { return daylight_stops == 0.0f && fraction_off == 0.0f; }
 
   /// The factor on the light at points of the ground or above them, m. All spans have the same length.
   void gains(std::span<const float> x, std::span<const float> y, std::span<float> gains) const;

@@ -65,14 +65,14 @@ RowRange range_of(const WallRow& row) {
 
 }  // namespace
 
-WallPatches::WallPatches(double share, double reach, const Room& room, Random& random) {
+WallPatches::WallPatches(double fraction, double reach, const Room& room, Random& random) {
   constexpr int kTries = 3000;
   constexpr double kApart = 0.05;  // m
   const RoomShape& shape = room.shape;
   const double height = std::min(reach, shape.height);
   const bool repeated = shape.symmetry != RoomSymmetry::none;
   const double perimeter = (repeated ? 0.5 : 1.0) * wall_perimeter(shape);
-  const double requested = share * perimeter * height;
+  const double requested = fraction * perimeter * height;
   std::vector<Rectangle> outlines;
   for (int attempt = 0; attempt < kTries && area_ < requested * (1.0 - 1e-9); ++attempt) {
     const auto kind = static_cast<PatchKind>(random.below(4));
@@ -195,8 +195,8 @@ REORIENT_WIDE void WallPatches::paint(const WallRow& row, float* __restrict red,
     const float patch_blue = patch.color.z();
     for (int i = 0; i < row.count; ++i) {
       const float half = 0.5f * footprint[i] + 1e-6f;
-      const float coverage = on_wall[i] * covered_share(u[i], half, patch.left, patch.right) *
-                             covered_share(v[i], half, patch.bottom, patch.top);
+      const float coverage = on_wall[i] * covered_fraction(u[i], half, patch.left, patch.right) *
+                             covered_fraction(v[i], half, patch.bottom, patch.top);
       red[i] += coverage * (patch_red - red[i]);
       green[i] += coverage * (patch_green - green[i]);
       blue[i] += coverage * (patch_blue - blue[i]);

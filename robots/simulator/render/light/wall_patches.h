@@ -23,9 +23,9 @@ class WallPatches {
  public:
   WallPatches() = default;
 
-  /// Patches that cover the fraction `share` of the wall between the floor and a height of `reach` meters, in the light
+  /// Patches that cover `fraction` of the wall between the floor and a height of `reach` meters, in the light
   /// of `room`. They cover less only if there is no space. In a symmetric room the patches are symmetric, too.
-  WallPatches(double share, double reach, const Room& room, Random& random);
+  WallPatches(double fraction, double reach, const Room& room, Random& random);
 
   bool empty() const { return rectangles_.empty(); }
   /// Area of the wall that they cover, m^2.

@@ -110,8 +110,8 @@ struct CapsuleInView {
       const float from_side = c.anywhere >= 0.0f ? slanted : sagitta;
       const float to_surface = c.t - (c.anywhere <= length ? from_side : sagitta);
       const float surface = to_surface > kNearest ? to_surface : kNearest;
-      seen.coverage[lane] = covered_share(distance, half_pixel, -radius, radius);
-      seen.between_ends[lane] = covered_share(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
+      seen.coverage[lane] = covered_fraction(distance, half_pixel, -radius, radius);
+      seen.between_ends[lane] = covered_fraction(eye_along + c.cosine * surface, half_pixel, 0.0f, length);
       seen.depth[lane] = surface / ray;
       const float from_start = c.along > 0.0f ? c.along : 0.0f;
       const float along = from_start < length ? from_start : length;

@@ -37,9 +37,9 @@ FieldLines::FieldLines(const FieldDimensions& field, double worn) : worn_(static
   };
   const double half = 0.5 * field.line_width, mark = 0.5 * field.penalty_mark_size;
   for (const FieldLine& line : field_lines(field)) add(line, {half, half});
-  for (const Eigen::Vector2d& place : penalty_marks(field)) {
-    add({place, place}, {mark, half});
-    add({place, place}, {half, mark});
+  for (const Eigen::Vector2d& position : penalty_marks(field)) {
+    add({position, position}, {mark, half});
+    add({position, position}, {half, mark});
   }
   add({{0.0, 0.0}, {0.0, 0.0}}, {mark, half});  // kick-off mark
   const Eigen::Vector2d corner = field_half_size(field);
@@ -81,7 +81,7 @@ REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __rest
       const float across_x = half_x[i] * x[i] / radius;
       const float across_y = half_y[i] * y[i] / radius;
       const float half = std::sqrt(across_x * across_x + across_y * across_y) + 1e-6f;
-      coverage[i] = covered_share(radius, half, circle - half_line, outer);
+      coverage[i] = covered_fraction(radius, half, circle - half_line, outer);
     }
   } else {
     std::fill(coverage, coverage + count, 0.0f);
@@ -89,8 +89,8 @@ REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __rest
   for (const Strip& strip : strips_) {
     if (strip.low_x > most_x || strip.high_x < least_x || strip.low_y > most_y || strip.high_y < least_y) continue;
     for (int i = 0; i < count; ++i) {
-      const float part = covered_share(std::fabs(x[i]), half_x[i], strip.low_x, strip.high_x) *
-                         covered_share(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
+      const float part = covered_fraction(std::fabs(x[i]), half_x[i], strip.low_x, strip.high_x) *
+                         covered_fraction(std::fabs(y[i]), half_y[i], strip.low_y, strip.high_y);
       coverage[i] = part > coverage[i] ? part : coverage[i];
     }
   }
@@ -103,7 +103,7 @@ REORIENT_WIDE void FieldLines::cover(const GroundPatches& patches, float* __rest
       const float across_x = half_x[i] * inward_x / radius;
       const float across_y = half_y[i] * inward_y / radius;
       const float half = std::sqrt(across_x * across_x + across_y * across_y) + 1e-6f;
-      const float arc = covered_share(radius, half, corner_radius_ - half_line, reach);
+      const float arc = covered_fraction(radius, half, corner_radius_ - half_line, reach);
       const float part = inward_x > 0.0f && inward_y > 0.0f ? arc : 0.0f;
       coverage[i] = part > coverage[i] ? part : coverage[i];
     }

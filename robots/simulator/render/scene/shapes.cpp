@@ -95,8 +95,8 @@ void draw(const Panel& panel, const Texture& texture, float gain, const RayTable
     if (!(depth > kNearest) || depth > frame.depth[pixel]) return;
     const auto [u, v] = view.place(depth * ray);
     const float footprint = depth * ray_length * rays.pixel_angle;
-    const float coverage =
-        covered_share(u, 0.5f * footprint, 0.0f, view.width) * covered_share(v, 0.5f * footprint, 0.0f, view.height);
+    const float coverage = covered_fraction(u, 0.5f * footprint, 0.0f, view.width) *
+                           covered_fraction(v, 0.5f * footprint, 0.0f, view.height);
     if (coverage <= 0.0f) return;
     const int level = Texture::level_for(footprint * texture.texels_per_meter());
     const Texture::Color color = texture.sample(panel.u + u, panel.v + v, level);
@@ -111,7 +111,7 @@ void draw(const Net& net, const RayTable& rays, const Eigen::Isometry3f& camera_
   const auto strings = [](float at, float half, float size) {
     if (at < -0.5f * kString || at > size + 0.5f * kString) return 0.0f;
     if (half > 0.5f * kMesh) return kString / kMesh;
-    return covered_share(at - kMesh * std::round(at / kMesh), half, -0.5f * kString, 0.5f * kString);
+    return covered_fraction(at - kMesh * std::round(at / kMesh), half, -0.5f * kString, 0.5f * kString);
   };
   for_each(view.box(rays), rays, frame, [&](std::size_t pixel, const Eigen::Vector3f& ray, float ray_length) {
     const float depth = view.depth(ray);
