@@ -6,8 +6,8 @@
 namespace reorient {
 namespace {
 
-/// By what probability a pose that is not tracked lies elsewhere. With one half, 96 to 99 % of the true poses of robots
-/// that were put down anywhere lay within the 95 % region of their belief (docs/evidence/localization.md).
+/// Assumed probability that a pose that is not tracked is wrong. With one half, 96 to 99 % of the true poses of robots
+/// that were placed anywhere were within the 95 % region of their belief (docs/evidence/localization.md).
 constexpr double kUntrackedIsWrong = 0.5;
 
 }  // namespace
@@ -70,7 +70,7 @@ SensedBelief Localizer::update(const LocalizerInputs& inputs) {
   return sensed;
 }
 
-/// Of the camera whose tilt is known less well.
+/// The larger one of the two cameras.
 double Localizer::bias_deviation(const std::array<CameraPercept, 2>& seen) const {
   double deviation = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -80,14 +80,14 @@ double Localizer::bias_deviation(const std::array<CameraPercept, 2>& seen) const
   return deviation;
 }
 
-/// Up to its reflection.
+/// Whether the pose or its reflection is known.
 bool Localizer::is_pose_known() const {
   return parameters_.tracker.enabled ? tracker_.is_attached() : !filter_.is_lost();
 }
 
-/// While the pose is not known, the search matches all that was seen in the last seconds.
+/// While the pose is unknown, matches the percepts of the last seconds with the field.
 void Localizer::search(const LocalizerInputs& inputs) {
-  constexpr double kBeforeItIsNoticed = 1.0;  // s
+  constexpr double kNoticedAfter = 1.0;  // s
   const CameraBias bias = tracker_.bias();
   for (std::size_t i = 0; i < inputs.seen.size(); ++i) {
     const CameraPercept& seen = inputs.seen[i];
@@ -97,7 +97,7 @@ void Localizer::search(const LocalizerInputs& inputs) {
   }
   if (filter_.is_lost() && tracker_.is_attached()) tracker_.let_go();
   const bool is_known = is_pose_known();
-  if (!is_known && was_known_) search_.forget_before(inputs.time - kBeforeItIsNoticed);
+  if (!is_known && was_known_) search_.forget_before(inputs.time - kNoticedAfter);
   was_known_ = is_known;
   if (is_known || !inputs.upright) return search_.stop();
   const std::optional<PoseHypothesis> found =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine's own localization as one: the pose particle filter, the tracker that follows its best hypothesis, and the
-// search that finds the pose of a lost robot.
+// The engine's own localization: the pose filter, the tracker that follows its best hypothesis, and the search that
+// finds the pose of a lost robot.
 #pragma once
 
 #include <array>
@@ -28,14 +28,14 @@ struct LocalizerParameters {
   PoseSearchParameters search;
 };
 
-/// What the localization uses of one frame.
+/// The inputs of one frame.
 struct LocalizerInputs {
   double time = 0.0;                  ///< s
-  double time_step = 0.0;             ///< s since the frame before
+  double time_step = 0.0;             ///< s since the previous frame
   Pose2 odometry;                     ///< dead reckoning since the start
-  Pose2 odometry_step;                ///< the same since the frame before
-  bool upright = true;                ///< otherwise the poses of the cameras are not known
-  std::array<CameraPercept, 2> seen;  ///< by the upper and the lower camera
+  Pose2 odometry_step;                ///< the same since the previous frame
+  bool upright = true;                ///< otherwise the poses of the cameras are unknown
+  std::array<CameraPercept, 2> seen;  ///< of the upper and the lower camera
   SeenGoal goal = SeenGoal::unknown;
   std::optional<SeenView> view{};
 };
@@ -44,35 +44,35 @@ class Localizer {
  public:
   Localizer(const LocalizerParameters& parameters, const FieldDimensions& field, std::uint64_t seed);
 
-  /// From the next frame on.
+  /// Applies from the next frame.
   void set_parameters(const LocalizerParameters& parameters);
 
-  /// A pose is set from outside. Standard deviations in m (along each axis) and rad.
+  /// Sets a pose from outside. Standard deviations in m (along each axis) and rad.
   void set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation);
-  /// Starts where another localization has ended.
+  /// Continues from the belief of another localization.
   void continue_from(const PoseBelief& believed);
-  /// One sample of the accelerometer, see GravityBias. Only a robot that is upright feels gravity alone: the mean
-  /// acceleration of a fall or of a lift is another one.
+  /// One sample of the accelerometer, see GravityBias. The mean acceleration is gravity only while the robot is
+  /// upright, not while it falls or is lifted.
   void feel_gravity(bool upright, const Eigen::Vector3d& acceleration, const TorsoAttitude& torso, double time);
-  /// The robot fell or was carried: it may stand elsewhere than before `time`, s.
+  /// The robot fell or was lifted: it may have moved at `time`, s.
   void doubt(double time);
 
-  /// One frame.
+  /// Processes one frame.
   SensedBelief update(const LocalizerInputs& inputs);
 
-  // The commands; belief() is up to date when they return.
+  // The commands. belief() is up to date when they return.
   void flip_pose();
   void purge_reflection() { filter_.purge_reflection(); }
   void reset_orientation();
 
   PoseBelief belief() const { return tracker_.belief(filter_.belief()); }
   CameraBias bias() const { return tracker_.bias(); }
-  /// What was saved of this body.
+  /// Sets the bias that was saved for this body.
   void set_bias(const CameraBias& bias) { tracker_.set_bias(bias); }
-  /// The poses of all particles, appended.
+  /// Appends the poses of all particles.
   void append_poses(std::vector<Pose2>& poses) const { filter_.append_poses(poses); }
 
-  /// All that decides what comes next; parameters and field are as they are. Throws BadBytes.
+  /// Everything that future results depend on, except parameters and field. Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.filter_, self.tracker_, self.gravity_, self.search_, self.was_known_);
@@ -89,7 +89,7 @@ class Localizer {
   PoseTracker tracker_;
   GravityBias gravity_;
   PoseSearch search_;
-  bool was_known_ = false;  ///< the pose, in the frame before
+  bool was_known_ = false;  ///< whether the pose was known in the previous frame
 };
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the pose filter believes.
+// The estimate of the self-localization.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,9 +12,9 @@ namespace reorient {
 
 struct PoseBelief {
   Pose2 pose;                                            ///< mean of the heaviest cluster of pose particles
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of that cluster: x, y, rotation; m^2, m rad, rad^2
-  double cluster_weight = 0.0;                           ///< of all particles, in that cluster
-  double reflected_weight = 0.0;                         ///< of all particles, near the reflection of `pose`
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y, rotation in that cluster; m^2, m rad, rad^2
+  double cluster_weight = 0.0;                           ///< fraction of all particles in that cluster
+  double reflected_weight = 0.0;                         ///< fraction of all particles near the reflection of `pose`
 };
 
 template <typename Visit, ConstOr<PoseBelief> T>
@@ -25,12 +25,12 @@ void fields(Visit&& visit, T& belief) {
 /// What a localization estimates in one frame.
 struct SensedBelief {
   PoseBelief belief;
-  bool tracked = true;                ///< what is seen fits the belief, or its reflection, for seconds
-  double recovery_probability = 0.0;  ///< 0 to 1: how sure the pose filter is that the robot is elsewhere
+  bool tracked = true;                ///< percepts have fitted the belief, or its reflection, for seconds
+  double recovery_probability = 0.0;  ///< 0 to 1: how clearly the robot is away from the particles
 };
 
-/// The covariance (as above) of what may be wrong by a probability of `doubt`: then the robot stands anywhere on a
-/// field of this size (m, along x and y).
+/// The covariance of a belief that is wrong with probability `doubt`. If it is wrong, the robot is anywhere on a field
+/// of this size (m, along x and y).
 inline Eigen::Matrix3d doubted_covariance(const PoseBelief& belief, double doubt, const Eigen::Vector2d& size) {
   Eigen::Matrix3d anywhere = Eigen::Matrix3d::Zero();
   anywhere.topLeftCorner<2, 2>() = belief.pose.position * belief.pose.position.transpose();
@@ -38,15 +38,16 @@ inline Eigen::Matrix3d doubted_covariance(const PoseBelief& belief, double doubt
   return (1.0 - doubt) * belief.covariance + doubt * anywhere;
 }
 
-/// Which of the two goals is in view, where that is known (the paper's goal views).
+/// Which of the two goals is in view (the paper's goal views).
 enum class SeenGoal { unknown, opponent, own };
 
-/// Where on the wall the room says that the camera looked. It gives each place on the field its heading.
+/// The point on the wall at which the camera looks, according to room awareness. For each position on the field it
+/// determines a heading.
 struct SeenView {
-  double azimuth = 0.0;    ///< of the point on the wall, rad, field frame
+  double azimuth = 0.0;    ///< of this point, rad, field frame
   double deviation = 0.0;  ///< standard deviation of the azimuth, rad
   double radius = 1.0;     ///< of the wall, m
-  double direction = 0.0;  ///< in which the camera looked, rad, in the robot's present frame
+  double direction = 0.0;  ///< of the camera's view, rad, in the robot's present frame
 };
 
 }  // namespace reorient

@@ -13,15 +13,15 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kRandomStream = 0x706F7365;  // "pose": apart from the streams of the other rooms
-constexpr double kFoundShare = 0.6;                  // of all particles in one cluster ends the search from anywhere
-constexpr double kLongestStep = 0.2;                 // s; a longer gap is not time in which the fit was seen
+constexpr std::uint64_t kRandomStream = 0x706F7365;  // "pose": differs from the streams of other modules
+constexpr double kFoundFraction = 0.6;               // of all particles, in one cluster: ends the global search
+constexpr double kLongestStep = 0.2;                 // s; a longer gap does not count as time with a measured fit
 
 std::size_t particle_count(const PoseFilterParameters& parameters) {
   return static_cast<std::size_t>(std::max(1, parameters.particles));
 }
 
-/// The pose or its reflection, whichever looks nearer to where the room says that the camera looks.
+/// The pose or its reflection, whichever fits the view better.
 Pose2 side_of_view(const Pose2& pose, const SeenView& view) {
   const double off = angle_difference(pose.rotation, heading_of_view(view, pose.position, view.azimuth));
   return std::abs(off) <= kPi / 2.0 ? pose : reflect(pose);
@@ -94,7 +94,7 @@ void PoseFilter::update(const FieldPercept& percept, SeenGoal seen_goal, const s
     inject(percept, seen_goal, view);
   }
   find_belief();
-  if (belief_.cluster_weight > kFoundShare) searching_ = false;
+  if (belief_.cluster_weight > kFoundFraction) searching_ = false;
 }
 
 void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
@@ -141,10 +141,10 @@ void PoseFilter::inject(const FieldPercept& percept, SeenGoal seen_goal, const s
   if (!goal && !use_view && !use_landmarks) return;
   double rate = p.lost_rate * lost;
   if (goal) rate += seen_goal == SeenGoal::unknown ? p.unknown_goal_rate : p.known_goal_rate;
-  // Fractions of a particle are injected by chance, so that rates below one particle a frame count as well.
+  // Rounds the count at random, so that rates below one particle per frame have an effect.
   const auto count = static_cast<int>(rate * static_cast<double>(particles_.size()) + random_.uniform());
   for (int i = 0; i < count; ++i) {
-    // Where several say something, each of them says it for a part of the particles.
+    // Each source of poses that is available gives a part of the particles.
     const bool by_landmark = use_landmarks && ((!goal && !use_view) || random_.below(2) == 0);
     const bool by_goal = goal && !by_landmark;
     std::optional<Pose2> pose = by_landmark ? landmark_injection_.draw(percept, measurement_, p, random_)
@@ -170,7 +170,7 @@ double PoseFilter::lost_probability() const {
 }
 
 void PoseFilter::take_found(const Pose2& found, const std::optional<SeenView>& view) {
-  constexpr std::uint64_t kOneInHowManyStays = 5;
+  constexpr std::uint64_t kOneStaysOf = 5;
   constexpr double kPosition = 0.1, kRotation = 0.05;  // m, rad
   const PoseClusterParameters& cluster = parameters_.clusters;
   const auto is_believed = [&](const Pose2& pose) {
@@ -178,7 +178,7 @@ void PoseFilter::take_found(const Pose2& found, const std::optional<SeenView>& v
   };
   const bool was_lost = is_lost();
   recovery_.restart();
-  if (belief_.cluster_weight > kFoundShare && (is_believed(found) || is_believed(reflect(found)))) {
+  if (belief_.cluster_weight > kFoundFraction && (is_believed(found) || is_believed(reflect(found)))) {
     searching_ = false;
     return;
   }
@@ -191,21 +191,21 @@ void PoseFilter::take_found(const Pose2& found, const std::optional<SeenView>& v
     } else if (!searching_) {
       pose = keep_sides(pose);
     }
-    if (random_.below(kOneInHowManyStays) != 0) particles_.set_pose(i, pose);
+    if (random_.below(kOneStaysOf) != 0) particles_.set_pose(i, pose);
   }
   std::fill(particles_.weight.begin(), particles_.weight.end(), 1.0f / static_cast<float>(particles_.size()));
   searching_ = false;
   find_belief();
 }
 
-/// A goal of which nobody knows which one it is says nothing of the two sides of the field: what is drawn is shared
-/// among them as the particles are. Were it by halves, a robot that was put back a little turned would soon have two
-/// clusters of equal weight, and noise would choose.
+/// An unknown goal gives no evidence about the side of the field. So the new particles are divided between the pose and
+/// its reflection in the same ratio as the present ones. With equal halves, a robot that was placed again slightly
+/// rotated would soon have two clusters of equal weight, and noise would choose.
 Pose2 PoseFilter::keep_sides(const Pose2& drawn) {
   const double both = belief_.cluster_weight + belief_.reflected_weight;
-  const double believed_share = both > 0.0 ? belief_.cluster_weight / both : 0.5;
+  const double believed_fraction = both > 0.0 ? belief_.cluster_weight / both : 0.5;
   const bool is_believed_side = std::abs(angle_difference(drawn.rotation, belief_.pose.rotation)) < kPi / 2.0;
-  return is_believed_side == (random_.uniform() < believed_share) ? drawn : reflect(drawn);
+  return is_believed_side == (random_.uniform() < believed_fraction) ? drawn : reflect(drawn);
 }
 
 void PoseFilter::flip_pose() {
@@ -241,18 +241,19 @@ void PoseFilter::append_poses(std::vector<Pose2>& poses) const {
   for (std::size_t i = 0; i < particles_.size(); ++i) poses.push_back(particles_.pose(i));
 }
 
-/// After reading.
+/// Checks the state after reading.
 void PoseFilter::complete() {
-  check_bytes(particles_.size() == particle_count(parameters_), "another number of pose particles");
+  check_bytes(particles_.size() == particle_count(parameters_),
+              "pose filter: the number of particles differs from the parameters");
   const auto is_inside = [this](double x, double y) {
     constexpr double kRounding = 1e-3;  // m, of single precision
     return std::abs(x) <= half_size_.x() + kRounding && std::abs(y) <= half_size_.y() + kRounding;
   };
   for (std::size_t i = 0; i < particles_.size(); ++i)
-    check_bytes(is_inside(particles_.x[i], particles_.y[i]), "a pose particle is off the field");
+    check_bytes(is_inside(particles_.x[i], particles_.y[i]), "pose filter: a particle is outside of the field");
   check_bytes(is_inside(belief_.pose.position.x(), belief_.pose.position.y()) && std::abs(belief_.pose.rotation) <= kPi,
-              "the believed pose is off the field");
-  check_bytes(std::isfinite(elapsed_) && elapsed_ >= 0.0, "a time is not a time");
+              "pose filter: the believed pose is outside of the field");
+  check_bytes(std::isfinite(elapsed_) && elapsed_ >= 0.0, "pose filter: a time is negative or not finite");
   costs_.resize(particles_.size());
   scratch_ = ParticleSet(particles_.size());
 }

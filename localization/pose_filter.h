@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Self-localization: a particle filter (Monte Carlo localization) over poses on a field that looks the same from every
-// pose and its reflection. It cannot tell the two apart, and does not pretend to: behaviours correct it by commands.
+// Self-localization: a particle filter (Monte Carlo localization) over poses. The field looks the same from a pose and
+// from its reflection, so the filter cannot distinguish them. Behaviors correct it with commands.
 #pragma once
 
 #include <cstdint>
@@ -32,53 +32,53 @@ struct PoseFilterParameters {
   PoseClusterParameters clusters;
 };
 
-/// Of the filter itself; the nested structures are described one by one.
+/// Describes the parameters of the filter itself; the nested structures have a describe() of their own.
 template <typename Visit>
 void describe(PoseFilterParameters& p, Visit&& visit) {
-  visit("particles", p.particles, 10, 10000, "", "how many pose particles");
+  visit("particles", p.particles, 10, 10000, "", "number of pose particles");
   visit("resample_below", p.resample_below, 0.0, 1.0, "",
-        "resample once the effective number of particles is below this share of all");
+        "fraction of the number of particles; resampling happens when the effective number is below it");
 }
 
-/// Everything that it does follows from its arguments and the seed. In the steady state it allocates no memory.
+/// Deterministic: its results depend only on the arguments and the seed. In the steady state it allocates no memory.
 class PoseFilter {
  public:
-  /// Starts anywhere. Throws std::invalid_argument for impossible field dimensions.
+  /// Starts with particles on the whole carpet. Throws std::invalid_argument for impossible field dimensions.
   PoseFilter(const PoseFilterParameters& parameters, const FieldDimensions& field, std::uint64_t seed);
 
-  /// Somebody told where the robot stands. Standard deviations in m (along each axis) and rad.
-  /// Where any of that is not finite, the same as initialize_globally().
+  /// Sets a pose that is known from outside. Standard deviations in m (along each axis) and rad.
+  /// If a value is not finite, the same as initialize_globally().
   void set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation);
-  /// Nobody knows.
+  /// Distributes the particles over the whole carpet: the pose is unknown.
   void initialize_globally();
-  /// The robot was carried or fell: it may stand elsewhere than where the particles are.
+  /// The robot was lifted or fell: it may be away from the particles.
   void doubt() { recovery_.doubt(); }
 
   /// Follows the robot's motion since the last frame, `odometry_step` = last.inverse() * now, over `time_step` seconds.
   void predict(const Pose2& odometry_step, double time_step);
-  /// Weighs and resamples the particles by what was seen, and injects new ones where a goal was seen; where the robot
-  /// is lost, with the headings that the view gives, too. What is not finite in the percept is left out.
-  /// `bias_deviation`: how well the camera's tilt is known, rad.
+  /// Weighs and resamples the particles by the percept. Injects new ones if a goal is in view, and, while the robot is
+  /// lost, new ones with headings from the view. Ignores values of the percept that are not finite.
+  /// `bias_deviation`: standard deviation of the camera's tilt, rad.
   void update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view = std::nullopt,
               double bias_deviation = 0.0);
-  /// The same with what two cameras saw; each in the robot's present frame.
+  /// The same with the percepts of two cameras, both in the robot's present frame.
   void update(const FieldPercept& upper, const FieldPercept& lower, SeenGoal seen_goal,
               const std::optional<SeenView>& view = std::nullopt, double bias_deviation = 0.0);
-  /// The robot looked, and saw nothing of the field. `time_step`: s.
+  /// The cameras worked, but nothing of the field was in view. `time_step`: s.
   void see_nothing(double time_step);
 
-  /// Whether the particles have lost the robot, or have not found it yet.
+  /// Whether the pose was lost or has not been found yet.
   bool is_lost() const { return lost_probability() > 0.0; }
-  /// The robot stands there, or at the reflection of that: most particles are drawn around it. The view says on which
-  /// side; without one they stay on their sides.
+  /// The robot is at `found` or at its reflection: draws most particles around it. The view decides between the two.
+  /// Without a view both sides keep their fractions of the particles.
   void take_found(const Pose2& found, const std::optional<SeenView>& view);
 
-  /// The commands; belief() is up to date when they return.
+  // The commands. belief() is up to date when they return.
   void flip_pose();
   void purge_reflection();
   void reset_orientation();
 
-  /// From now on. A new number of particles is drawn from the old ones.
+  /// Applies from now on. If the number of particles changes, the new ones are drawn from the old ones.
   void set_parameters(const PoseFilterParameters& parameters);
 
   const PoseBelief& belief() const { return belief_; }
@@ -86,10 +86,10 @@ class PoseFilter {
   const ParticleSet& particles() const { return particles_; }
   const RecoveryEstimator& recovery() const { return recovery_; }
 
-  /// For drawing: the poses of all particles, appended.
+  /// Appends the poses of all particles, for drawing.
   void append_poses(std::vector<Pose2>& poses) const;
 
-  /// All that decides what comes next; parameters and field are as they are. Throws BadBytes.
+  /// Everything that future results depend on, except parameters and field. Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
     archive(self.random_, self.recovery_, self.particles_, self.elapsed_, self.searching_, self.belief_);
@@ -117,9 +117,9 @@ class PoseFilter {
   ParticleSet particles_;
   ParticleSet scratch_;
   std::vector<float> costs_;
-  FieldPercept merged_;    ///< of both cameras
+  FieldPercept merged_;    ///< the percepts of both cameras
   double elapsed_ = 1.0;   ///< s, predicted since the last update
-  bool searching_ = true;  ///< started anywhere, and not found yet
+  bool searching_ = true;  ///< started globally, and not found yet
   PoseBelief belief_;
 };
 

@@ -7,7 +7,7 @@
 namespace reorient {
 namespace {
 
-/// Squared distance of a particle from a pose, with a radian as long as a metre.
+/// Squared distance of a particle from a pose, with one radian counted as one meter.
 double square_distance(const ParticleSet& particles, std::size_t index, const Pose2& pose) {
   const Pose2 particle = particles.pose(index);
   const double turn = angle_difference(particle.rotation, pose.rotation);
@@ -29,7 +29,7 @@ void flip_pose(ParticleSet& particles) {
 PoseBelief flipped(const PoseBelief& belief) {
   PoseBelief result = belief;
   result.pose = reflect(belief.pose);
-  // x and y change their signs, so only their covariances with the rotation do.
+  // x and y change their signs, therefore so do their covariances with the rotation, but no others.
   result.covariance.topRightCorner<2, 1>() *= -1.0;
   result.covariance.bottomLeftCorner<1, 2>() *= -1.0;
   return result;
@@ -58,8 +58,8 @@ void purge_reflection(ParticleSet& particles, const Pose2& belief, ParticleSet& 
 }
 
 void reset_orientation(ParticleSet& particles, Random& random) {
-  // Steps of the golden section cover the circle evenly even for the few particles of one place, which a resampled set
-  // keeps next to each other.
+  // Steps of the golden section cover the circle evenly, even for the few particles at one position, which are
+  // neighbors in a resampled set.
   constexpr BinaryAngle kGoldenSection = 0x9E3779B9u;
   auto angle = static_cast<BinaryAngle>(random());
   for (std::size_t i = 0; i < particles.size(); ++i) particles.set_rotation(i, angle += kGoldenSection);

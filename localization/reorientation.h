@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three commands with which behaviours rearrange the pose particles (the paper's Section 3.1).
+// The three commands with which behaviors change the pose particles (the paper's Section 3.1).
 #pragma once
 
 #include "geometry/pose2.h"
@@ -9,19 +9,19 @@
 
 namespace reorient {
 
-/// Reflects every particle, of whatever cluster: what was believed becomes its reflection, and what was doubted as the
-/// reflection becomes what is believed. So nothing is lost, and a flip done twice changes nothing.
+/// Replaces each particle, of every cluster, with its reflection. So no hypothesis is lost, and a second flip restores
+/// the particles.
 void flip_pose(ParticleSet& particles);
 
 /// The belief of the flipped particles.
 PoseBelief flipped(const PoseBelief& belief);
 
-/// Removes all particles that are nearer to the reflection of `belief` than to `belief`, and fills their places with
-/// copies of the others. A metre counts as much as a radian, so that at the centre of the field the rotation decides.
-/// Where no particle would be left, all stay. `scratch` is working memory of the same size.
+/// Replaces all particles that are nearer to the reflection of `belief` than to `belief` with copies of the others. One
+/// meter counts as much as one radian, so that the rotation decides at the center of the field. If no particle would
+/// remain, all stay. `scratch` is working memory of the same size.
 void purge_reflection(ParticleSet& particles, const Pose2& belief, ParticleSet& scratch, Random& random);
 
-/// Leaves all positions as they are and spreads the rotations evenly over the full turn.
+/// Leaves all positions unchanged and distributes the rotations evenly over the full circle.
 void reset_orientation(ParticleSet& particles, Random& random);
 
 }  // namespace reorient

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kTiltReach = from_degrees(12.0);
 constexpr double kPanReach = from_degrees(8.0);
-constexpr double kCap = from_degrees(1.5);           // an error beyond it says no more than that
-constexpr double kOnLine = from_degrees(0.5);        // a point that is nearer lies on it
+constexpr double kCap = from_degrees(1.5);           // larger errors are reduced to it
+constexpr double kOnLine = from_degrees(0.5);        // largest angle between a line and a point on it
 constexpr double kFarthestPoint = 5.0;               // m, of a point on the ground
 constexpr int kFewest = 60;                          // points on lines
-constexpr double kTurnedAside = from_degrees(35.0);  // a line of another direction is another line
+constexpr double kTurnedAside = from_degrees(35.0);  // largest difference in direction between a line and its points
 
 struct Errors {
   double sum = 0.0;  // of squares, each at most kCap's
@@ -33,7 +33,7 @@ class Sightings {
   Sightings(std::span<const CalibrationView> views, const Pose2& robot, const FieldDimensions& field)
       : views_(views), robot_(robot), lines_(field_lines(field)), circle_(field.center_circle_radius) {}
 
-  /// Of one point in `every`.
+  /// Uses one in `every` points.
   Errors errors(const CameraOffset& offset, std::size_t every = 1) const {
     Errors all;
     for (const CalibrationView& view : views_) {
@@ -65,9 +65,9 @@ class Sightings {
   }
 
  private:
-  /// How far from the nearest line of about this normal, m; which kind that is: 0 along the field, 1 across it, 2 the
-  /// circle.
-  double off_lines(const Eigen::Vector2d& place, double normal, int& kind) const {
+  /// Distance from the nearest line with about this normal, m. Sets the type of this line: 0 along the field, 1 across
+  /// it, 2 the circle.
+  double off_lines(const Eigen::Vector2d& place, double normal, int& type) const {
     double nearest = kFarthestPoint;
     const auto differs = [normal](double other) {
       const double turn = std::abs(angle_difference(normal, other));
@@ -76,16 +76,16 @@ class Sightings {
     for (const FieldLine& line : lines_) {
       const Eigen::Vector2d along = line.to - line.from;
       if (differs(pinned::atan2(along.x(), -along.y()))) continue;
-      const double share = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const double off = (place - line.from - share * along).norm();
+      const double fraction = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      const double off = (place - line.from - fraction * along).norm();
       if (off >= nearest) continue;
       nearest = off;
-      kind = std::abs(along.x()) > std::abs(along.y()) ? 0 : 1;
+      type = std::abs(along.x()) > std::abs(along.y()) ? 0 : 1;
     }
     const double radius = place.norm();
     if (radius > 1e-6 && !differs(pinned::atan2(place.y(), place.x())) && std::abs(radius - circle_) < nearest) {
       nearest = std::abs(radius - circle_);
-      kind = 2;
+      type = 2;
     }
     return nearest;
   }
@@ -101,9 +101,9 @@ class Sightings {
 std::optional<CameraCorrection> calibrate(std::span<const CalibrationView> views, const Pose2& robot,
                                           const FieldDimensions& field) {
   const Sightings sightings(views, robot, field);
-  // On a grid first: near the truth there is one minimum, farther away there are as many as lines.
+  // Starts with a grid: near the truth the error has one minimum, farther away it has one for each line.
   constexpr double kStep = from_degrees(0.5);
-  constexpr std::size_t kRoughly = 10;  // a point in ten is enough for that
+  constexpr std::size_t kRoughly = 10;  // for the grid one in ten points is enough
   CameraOffset offset;
   double best = sightings.errors(offset, kRoughly).mean();
   for (double t = -kTiltReach; t <= kTiltReach; t += kStep) {

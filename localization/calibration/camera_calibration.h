@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By how much a camera looks elsewhere than it is believed to, from field lines that it sees at a known place.
+// Estimates the error of a camera's mounting from field lines in view of a robot at a known pose.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// What one image shows of lines, taken as if the camera looked where its data sheet says.
+/// The lines of one image, computed with the nominal pose of the camera.
 struct CalibrationView {
   CameraModel camera;
   Isometry3 robot_from_camera = Isometry3::Identity();
@@ -24,15 +24,14 @@ struct CalibrationView {
 
 struct CameraCorrection {
   CameraOffset offset;
-  // The root mean square angle between what was seen and the nearest line, rad, as seen from the camera.
+  // Root mean square angle at the camera between the line points and their nearest lines, rad.
   double error_before = 0.0;
   double error_after = 0.0;
-  int points = 0;  ///< that lie on a line afterwards
+  int points = 0;  ///< on a line after the correction
 };
 
-/// `robot`: where it stands. Nothing: too few points lie on lines, however the camera is turned (within 12 degrees of
-/// tilt and 8 of pan), or less than half of all, or all of them on lines of one direction, which say nothing about the
-/// other angle.
+/// `robot`: the robot's pose. Searches within 12 degrees of tilt and 8 degrees of pan. Empty if too few points or less
+/// than half of them lie on lines, or if the lines have only one direction, which leaves one angle open.
 std::optional<CameraCorrection> calibrate(std::span<const CalibrationView> views, const Pose2& robot,
                                           const FieldDimensions& field);
 

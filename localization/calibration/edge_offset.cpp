@@ -13,7 +13,7 @@
 namespace reorient {
 namespace {
 
-/// An edge on the plane at distance 1 before the camera: y to the left, z up.
+/// An edge on the plane at distance 1 in front of the camera: y to the left, z up.
 struct PlaneEdge {
   Eigen::Vector2d middle, along;
   double weight = 0.0;  // pixels
@@ -49,7 +49,7 @@ EdgeView every_second_edge(const EdgeView& view, std::size_t first) {
 
 /// The tilt and roll of one image, with a weak prior.
 CameraOffset own_offset(const EdgeView& view, double noise) {
-  constexpr double kOwnReach = 8.0, kOwnStep = 0.5;  // degrees; the reach is the prior's standard deviation, too
+  constexpr double kOwnReach = 8.0, kOwnStep = 0.5;  // degrees; the reach is also the prior's standard deviation
   const std::vector<PlaneEdge> edges = on_plane(view);
   double length = 0.0;
   for (const PlaneEdge& edge : edges) length += edge.weight;
@@ -84,7 +84,7 @@ OffsetEstimate offset_from_edges(std::span<const EdgeView> views) {
     count += edges.back().size();
   }
   if (count == 0) return {};
-  // The direction of an edge of mean length is not known better than by a quarter of a pixel at its end.
+  // The end of an edge of mean length has an error of at least a quarter of a pixel.
   const double least_noise = 0.25 * static_cast<double>(count) / length;
   OffsetProblem problem;
   problem.images = views.size();
@@ -109,7 +109,7 @@ OffsetEstimate offset_from_edges(std::span<const EdgeView> views) {
 
 EdgeMounting mounting_from_edges(std::span<const EdgeView> views) {
   constexpr int kSamples = 100, kMostOften = 95;
-  constexpr double kBetter = 0.99;  // of the median angle: a difference by rounding does not count
+  constexpr double kBetter = 0.99;  // of the median angle, so that rounding does not count as better
   EdgeMounting mounting{{}, offset_from_edges(views)};
   for (const auto component : {&RecordedAttitude::roll, &RecordedAttitude::pitch}) {
     RecordedAttitude without = mounting.recorded;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A camera's offset from edges that are vertical in the room: poles, door frames, corners of walls, legs of tables. All
-// of them meet at the vertical vanishing point, which gives tilt and roll. Pan and height do not change their
-// directions.
+// Estimates a camera's offset from edges that are vertical in the room: poles, door frames, corners of walls, legs of
+// tables. All of them meet at the vertical vanishing point, which determines tilt and roll. Pan and height do not
+// change their directions.
 #pragma once
 
 #include <span>
@@ -23,32 +23,33 @@ struct EdgeView {
   std::vector<ImageEdge> edges;
 };
 
-/// How far from the projected vertical edges have to be searched for, rad.
+/// Largest angle from the projected vertical within which to search for edges, rad.
 inline constexpr double kEdgeReach = from_degrees(35.0);
 
-/// What a camera's recorded poses need to agree with the edges: `offset` on top of what is used of them.
+/// The correction with which a camera's recorded poses agree with the edges: which parts of the recorded attitude to
+/// use, and the offset to add to them.
 struct EdgeMounting {
   RecordedAttitude recorded;
   OffsetEstimate estimate;
 };
-/// The recorded roll (or pitch) of single images is left out where the edges agree better without it: in 95 of 100
-/// bootstrap samples of the images, by at least a hundredth.
+/// Leaves out the recorded roll (or pitch) of the images if the edges agree better without it: in 95 of 100 bootstrap
+/// samples of the images, by at least 1 %.
 EdgeMounting mounting_from_edges(std::span<const EdgeView> views);
 
-/// The same edges, seen by cameras with corrected poses.
+/// The same edges with corrected poses of the cameras.
 std::vector<EdgeView> corrected(std::span<const EdgeView> views, const RecordedAttitude& recorded,
                                 const CameraOffset& offset);
 
-/// For each edge that is nearly vertical under one of the two poses of its camera: the angles (at least 0) between the
-/// edge and the projected vertical under both, weighted by the edge's length. The views differ in their poses only.
+/// For each edge that is nearly vertical with one of its camera's two poses: the non-negative angles between the edge
+/// and the projected vertical with both poses, weighted by the edge's length. The views differ only in these poses.
 struct EdgeAngles {
   std::vector<WeightedResidual> before, after;
 };
 EdgeAngles edge_angles(std::span<const EdgeView> before, std::span<const EdgeView> after);
 
-/// What no constant offset can reach: the angles after each image has its own tilt and roll around the estimate, fitted
-/// to every second of its edges and checked on the others, with the roles swapped as well.
-/// `views`: corrected.
+/// A bound that no constant offset can reach: the angles after each image has got its own tilt and roll around the
+/// estimate. These are fitted to every second edge and evaluated on the others, and the other way around.
+/// `views`: already corrected.
 std::vector<WeightedResidual> angles_with_own_offsets(std::span<const EdgeView> views, double noise);
 
 }  // namespace reorient

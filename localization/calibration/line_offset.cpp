@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kFarthestSighting = 5.0;  // m, of a point on the ground
 constexpr int kFewestOnLines = 60;         // points on lines
-constexpr double kMissing = 1.0;           // rad, of a point that no line is near to
+constexpr double kMissing = 1.0;           // rad, for a point without a line nearby
 
-/// A point on a line as two lines of sight, which no camera pose changes.
+/// A point on a line as two lines of sight, which do not depend on the camera's pose.
 struct Sighting {
   Eigen::Vector3d ray;
   Eigen::Vector3d farther;  // a little farther along the line
@@ -41,9 +41,9 @@ double angle_of(const Sighting& sighting, const Isometry3& robot_from_camera, co
   const auto on_ground = [&](const Eigen::Vector3d& ray_in_camera) -> std::optional<Eigen::Vector2d> {
     const Eigen::Vector3d ray = robot_from_camera.linear() * ray_in_camera;
     if (ray.z() > -0.02 * ray.norm()) return std::nullopt;  // at the horizon, and above
-    const Eigen::Vector2d way = -origin.z() / ray.z() * ray.head<2>();
-    if (way.norm() > kFarthestSighting) return std::nullopt;
-    return Eigen::Vector2d(origin.head<2>() + way);
+    const Eigen::Vector2d from_camera = -origin.z() / ray.z() * ray.head<2>();
+    if (from_camera.norm() > kFarthestSighting) return std::nullopt;
+    return Eigen::Vector2d(origin.head<2>() + from_camera);
   };
   const std::optional<Eigen::Vector2d> place = on_ground(sighting.ray), farther = on_ground(sighting.farther);
   if (!place || !farther) return kMissing;
@@ -61,7 +61,7 @@ double angle_of(const Sighting& sighting, const Isometry3& robot_from_camera, co
 }  // namespace
 
 OffsetEstimate offset_from_lines(std::span<const LineView> views, const FieldDimensions& field) {
-  constexpr std::size_t kGridPoints = 1500;  // are enough for a start
+  constexpr std::size_t kGridPoints = 1500;  // enough for the initial grid
   const FieldLineMap lines(field);
   std::vector<std::vector<Sighting>> sightings;
   std::vector<double> pixels;  // rad

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A camera's offset from field lines that many images show from known poses: tilt, pan, roll and height.
+// Estimates a camera's offset (tilt, pan, roll and height) from field lines in many images from known poses.
 #pragma once
 
 #include <span>
@@ -18,15 +18,15 @@ namespace reorient {
 struct LineView {
   CameraModel camera;
   Isometry3 robot_from_camera = Isometry3::Identity();  ///< as recorded
-  Isometry3 found_from_camera = Isometry3::Identity();  ///< with which the line points were found
+  Isometry3 found_from_camera = Isometry3::Identity();  ///< from which the line points were computed
   Pose2 robot;                                          ///< field_from_robot
   std::vector<LinePoint> line_points;
 };
 
-/// Nothing is determined where too few points lie on lines, or less than half of them.
+/// Determines nothing if too few points, or less than half of them, lie on lines.
 OffsetEstimate offset_from_lines(std::span<const LineView> views, const FieldDimensions& field);
 
-/// The angle at the camera between each point and the nearest line of about its direction, rad, at most kMostLineAngle.
+/// The angle at the camera between each point and the nearest line of its direction, rad, at most kMostLineAngle.
 inline constexpr double kMostLineAngle = 0.05;
 std::vector<WeightedResidual> line_angles(std::span<const LineView> views, const CameraOffset& offset,
                                           const FieldDimensions& field);

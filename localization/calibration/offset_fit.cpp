@@ -19,7 +19,7 @@ using Matrix = Eigen::Matrix<double, kOffsetComponents, kOffsetComponents>;
 
 constexpr int kResamples = 60;
 constexpr int kMostSteps = 40;
-constexpr int kResampleSteps = 2;                            // from a start that is nearly right
+constexpr int kResampleSteps = 2;                            // from a nearly correct start
 constexpr OffsetValues kDifference{2e-3, 2e-3, 2e-3, 2e-3};  // for derivatives, rad and m
 constexpr OffsetValues kConverged{1e-6, 1e-6, 1e-6, 1e-6};
 
@@ -27,7 +27,7 @@ struct Mixture {
   double noise = 0.0;
   double inliers = 0.5;
 
-  /// The probability that a residual is no outlier.
+  /// The probability that a residual is an inlier.
   double probability(double residual, double window) const {
     if (!(std::abs(residual) < window)) return 0.0;
     const double scaled = residual / noise;
@@ -134,7 +134,7 @@ class OffsetFit {
     return solution;
   }
 
-  /// One Gauss-Newton step with the weights of the mixture, which is estimated again from the same residuals.
+  /// One Gauss-Newton step with the weights of the mixture. Also updates the mixture from the same residuals.
   Vector take_step(Solution& solution, const std::vector<int>& counts) const {
     Matrix information = Matrix::Zero();
     Vector gradient = Vector::Zero();
@@ -166,7 +166,7 @@ class OffsetFit {
         for (std::size_t c = 0; c < kOffsetComponents; ++c) {
           if (!free_[c]) continue;
           const double difference = above[c][i].value - below[c][i].value;
-          // Another line has become the nearest one: there is no derivative.
+          // A jump: another line has become the nearest one, so the derivative does not exist.
           is_smooth = is_smooth && std::abs(difference) < 20.0 * kDifference[c];
           slope[static_cast<Eigen::Index>(c)] = difference / (2.0 * kDifference[c]);
         }
@@ -219,7 +219,7 @@ OffsetEstimate fit_offset(const OffsetProblem& problem, const OffsetValues& most
     const Solution solution = fit.solve(once);
     if (solution.mixture.inliers < problem.least_inliers) return estimate;
     const OffsetValues deviations = fit.deviations(solution);
-    // The least determined component goes first: the others may be determined without it.
+    // Removes the least determined component first, because the others may be determined without it.
     std::size_t worst = kOffsetComponents;
     double excess = 1.0;
     for (std::size_t c = 0; c < kOffsetComponents; ++c) {

@@ -11,9 +11,9 @@
 namespace reorient {
 namespace {
 
-// Rounding to whole gray values turns a weaker gradient by more than the tolerance of directions.
+// Rounding to integer gray values would rotate a weaker gradient by more than kSameDirection.
 constexpr double kSameDirection = from_degrees(22.5);
-constexpr double kLeastGradient = 5.2;    // gray values for each pixel
+constexpr double kLeastGradient = 5.2;    // gray values per pixel
 constexpr double kShortest = 1.0 / 15.0;  // of an edge, in heights of the image
 constexpr double kSlimmest = 5.0;         // length over width
 
@@ -25,7 +25,7 @@ struct Gradients {
   }
 };
 
-/// Scharr's operator, in gray values for each pixel.
+/// Scharr's operator, in gray values per pixel.
 Gradients gradients_of(const ImageView& image) {
   Gradients all{image.width, image.height, {}, {}, {}};
   const std::size_t size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);

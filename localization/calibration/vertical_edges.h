@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Straight edges of one image that are nearly vertical in the room: line segments as connected regions of pixels with
-// about the same direction of the gradient (von Gioi et al., LSD: a line segment detector, 2012).
+// Finds straight edges in an image that are nearly vertical in the room: line segments as connected regions of pixels
+// with about the same direction of the gradient (von Gioi et al., LSD: a line segment detector, 2012).
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@
 
 namespace reorient {
 
-/// How far from the projected vertical an edge counts as nearly vertical, rad.
+/// Largest angle between a nearly vertical edge and the projected vertical, rad.
 inline constexpr double kNearlyVertical = from_degrees(15.0);
 
 struct ImageEdge {

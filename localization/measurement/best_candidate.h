@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of some poses that are drawn at random, the one that fits the observations best.
+// Chooses, of some random poses, the one that fits the observations best.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// Keeps its memory from one choice to the next.
+/// Reuses its memory for all choices.
 class BestCandidate {
  public:
   struct Choice {
@@ -20,12 +20,12 @@ class BestCandidate {
     float cost = 0.0f;  ///< MeasurementModel::costs()
   };
 
-  /// Calls draw() `wanted` times; each call gives a pose (std::optional<Pose2>) or nothing. Nothing: all calls did.
+  /// Calls draw() `count` times; each call returns a std::optional<Pose2>. Empty if no call returned a pose.
   template <typename Draw>
-  std::optional<Choice> choose(std::size_t wanted, const MeasurementModel& observed, const Draw& draw) {
-    if (candidates_.size() != wanted) candidates_ = ParticleSet(wanted);
+  std::optional<Choice> choose(std::size_t count, const MeasurementModel& observed, const Draw& draw) {
+    if (candidates_.size() != count) candidates_ = ParticleSet(count);
     std::size_t drawn = 0;
-    for (std::size_t i = 0; i < wanted; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       if (const std::optional<Pose2> candidate = draw()) candidates_.set_pose(drawn++, *candidate);
     }
     if (drawn == 0) return std::nullopt;

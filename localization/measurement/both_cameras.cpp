@@ -12,8 +12,8 @@
 namespace reorient {
 namespace {
 
-constexpr double kSameBearing = 0.08;  // rad; two posts of a goal are never seen as near to each other
-constexpr double kSamePlace = 0.5;     // m; no two posts are so near to each other, nor two landmarks of one kind
+constexpr double kSameBearing = 0.08;  // rad; the two posts of a goal never appear so close together
+constexpr double kSamePlace = 0.5;     // m; two posts, or two landmarks of one type, are never so close together
 
 double bearing(const GoalPost& post) { return pinned::atan2(post.position.y(), post.position.x()); }
 
@@ -27,7 +27,7 @@ bool is_surer(const Seen& one, const Seen& other) {
   return one.covariance.trace() < other.covariance.trace();
 }
 
-/// Of what is there once.
+/// Merges a landmark that exists only once on the field.
 template <typename Seen>
 std::optional<Seen> surer(const std::optional<Seen>& upper, const std::optional<Seen>& lower) {
   if (!upper || !lower) return upper ? upper : lower;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What two cameras saw of the field, as if it were one.
+// Merges the percepts of two cameras into one.
 #pragma once
 
 #include "perception/field/percepts.h"
 
 namespace reorient {
 
-/// Lines, landmarks and posts of both, in the robot's frame. A post that both see is one: where the lower camera sees
-/// its base, it stands there. A landmark that both see is one, too: as the camera sees it that is surer. Obstacles and
-/// the boundary belong to an image; they are left out.
+/// Lines, landmarks and posts of both, in the robot's frame. A post in both images counts once, with the lower camera's
+/// position if that shows its base. A landmark in both images counts once, with the smaller covariance. Obstacles and
+/// the boundary belong to a single image and are left out.
 void merge(const FieldPercept& upper, const FieldPercept& lower, FieldPercept& merged);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A measured place as it might really be, for poses that are drawn from it.
+// Adds random measurement errors to a measured position, for poses that are drawn from it.
 #pragma once
 
 #include <cmath>
@@ -10,10 +10,10 @@
 
 namespace reorient {
 
-/// Drawn from a roughly normal distribution around 0.
+/// A roughly normally distributed random number with mean 0.
 inline double rough(double deviation, Random& random) { return deviation * static_cast<double>(rough_normal(random)); }
 
-/// `place`: m, robot frame, not the robot itself. The errors are those of the model that has observed it.
+/// `place`: m, robot frame, nonzero. The errors are distributed as `observed` assumes.
 inline Eigen::Vector2d disturbed(const Eigen::Vector2d& place, const MeasurementModel& observed, Random& random) {
   const double distance = place.norm();
   const Eigen::Vector2d sight = place / distance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The field lines by their equations: which of them is near to a place, and on which side the place is.
+// The field lines as equations: finds the nearest one to a position, and the side on which the position is.
 #pragma once
 
 #include <limits>
@@ -15,9 +15,9 @@
 namespace reorient {
 
 struct NearestFieldLine {
-  Eigen::Vector2d normal;                                 ///< of length 1, across the line, field frame
-  double distance = 0.0;                                  ///< m, of the place; positive on the normal's side
-  double next = std::numeric_limits<double>::infinity();  ///< m, to the nearest other line, not negative
+  Eigen::Vector2d normal;                                 ///< unit vector across the line, field frame
+  double distance = 0.0;                                  ///< m, of the position; positive on the normal's side
+  double next = std::numeric_limits<double>::infinity();  ///< m, to the nearest other line, non-negative
 };
 
 /// Straight lines and the center circle. Marks and corner arcs are left out.
@@ -25,8 +25,8 @@ class FieldLineMap {
  public:
   explicit FieldLineMap(const FieldDimensions& field);
 
-  /// Considers lines whose direction differs from `direction` (a vector of length 1, known up to half a turn) by at
-  /// most 25 degrees, between their ends only. Empty if there is no such line.
+  /// Considers lines whose direction differs from `direction` (a unit vector of either sign) by at most 25 degrees,
+  /// only between their ends. Empty if no line fits.
   std::optional<NearestFieldLine> nearest(const Eigen::Vector2d& place, const Eigen::Vector2d& direction) const;
 
  private:
@@ -34,7 +34,7 @@ class FieldLineMap {
 
   struct Line {
     Eigen::Vector2d from;
-    Eigen::Vector2d along;  // of length 1
+    Eigen::Vector2d along;  // unit vector
     double length = 0.0;
   };
   std::vector<Line> lines_;

@@ -11,25 +11,25 @@
 namespace reorient {
 namespace {
 
-/// A normal that is off by no more than this is as good as a true one (rad), since a percept's normals are noisy and a
-/// bin of directions is wide; each radian more counts as this many metres of distance.
+/// Errors of a normal up to the tolerance (rad) are ignored, since normals of percepts are noisy and the bins of
+/// directions are wide. Each radian more counts as this many meters of distance.
 constexpr double kDirectionTolerance = 25.0 * kPi / 180.0;
-constexpr double kMetresPerRadian = 0.6;
+constexpr double kMetersPerRadian = 0.6;
 
-/// One line as seen from one place: how far away, and which way its normal points there.
+/// Distance of a line from one position, and the direction of its normal there.
 struct NearLine {
   double distance = 0.0;
   double normal = 0.0;
 };
 
 double direction_mismatch(double normal, double other) {
-  return std::abs(std::remainder(normal - other, kPi));  // normals are known up to half a turn
+  return std::abs(std::remainder(normal - other, kPi));  // the sign of a normal is unknown
 }
 
 double distance_to(const FieldLine& line, const Eigen::Vector2d& place) {
   const Eigen::Vector2d along = line.to - line.from;
-  const double share = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (place - line.from - share * along).norm();
+  const double fraction = std::clamp((place - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (place - line.from - fraction * along).norm();
 }
 
 double normal_of(const FieldLine& line) {
@@ -37,15 +37,15 @@ double normal_of(const FieldLine& line) {
   return pinned::atan2(along.x(), -along.y());
 }
 
-/// Distance to the nearest of these marks, which are marks from whatever side.
+/// Distance to the nearest of these marks, from any direction.
 double distance_to_marks(const std::vector<Eigen::Vector2d>& marks, double size, const Eigen::Vector2d& place) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector2d& mark : marks) nearest = std::min(nearest, (place - mark).norm());
   return std::max(0.0, nearest - size / 2.0);
 }
 
-/// The quarter circle around the corner of the quarter in which both coordinates are positive; it ends at the lines.
-NearLine look_at_corner(const FieldDimensions& field, const Eigen::Vector2d& place) {
+/// The corner arc of the quarter in which both coordinates are positive; it ends at the lines.
+NearLine corner_arc(const FieldDimensions& field, const Eigen::Vector2d& place) {
   const Eigen::Vector2d from_corner = place - field_half_size(field);
   if (field.corner_arc_radius <= 0.0 || from_corner.maxCoeff() > 0.0) return {FieldMap::kMaxDistance, 0.0};
   return {std::abs(from_corner.norm() - field.corner_arc_radius), direction_of(from_corner)};
@@ -56,12 +56,12 @@ double distance_to_lines(const std::vector<NearLine>& lines, double normal) {
   for (const NearLine& line : lines) {
     if (line.distance >= nearest) continue;
     const double excess = std::max(0.0, direction_mismatch(normal, line.normal) - kDirectionTolerance);
-    nearest = std::min(nearest, line.distance + kMetresPerRadian * excess);
+    nearest = std::min(nearest, line.distance + kMetersPerRadian * excess);
   }
   return nearest;
 }
 
-bool is_size(double metres) { return metres > 0.0 && metres <= 200.0; }
+bool is_size(double meters) { return meters > 0.0 && meters <= 200.0; }
 
 }  // namespace
 
@@ -79,7 +79,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
                 static_cast<std::size_t>(columns_));
 
   std::vector<FieldLine> lines = field_lines(field);
-  // The white tubes on the carpet that hold a goal's net look like lines, above all to a robot in front of them.
+  // The white tubes on the carpet that hold a goal's net look like lines, mostly for a robot in front of them.
   add_areas(field, -field.goal_depth, 2.0 * field.goal_post_y, lines);
   const std::vector<Eigen::Vector2d> marks = penalty_marks(field);
   std::vector<double> normals;
@@ -95,7 +95,7 @@ FieldMap::FieldMap(const FieldDimensions& field) {
           near_lines.push_back({distance, normals[i]});
       }
       near_lines.push_back({std::abs(place.norm() - field.center_circle_radius), direction_of(place)});
-      near_lines.push_back(look_at_corner(field, place));
+      near_lines.push_back(corner_arc(field, place));
       const double mark = distance_to_marks(marks, field.penalty_mark_size, place);
       for (int direction = 0; direction < kDirections; ++direction) {
         const double distance = std::min(mark, distance_to_lines(near_lines, direction * kPi / kDirections));

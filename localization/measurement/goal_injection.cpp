@@ -77,9 +77,9 @@ std::optional<Pose2> GoalInjection::draw(const GoalSighting& sighting, SeenGoal 
                                          const MeasurementModel& observed, const InjectionParameters& parameters,
                                          Random& random) {
   const bool opponent_goal = seen_goal == SeenGoal::unknown ? random.below(2) == 0 : seen_goal == SeenGoal::opponent;
-  const auto wanted = static_cast<std::size_t>(std::max(1, parameters.candidates));
+  const auto count = static_cast<std::size_t>(std::max(1, parameters.candidates));
   const auto best =
-      best_.choose(wanted, observed, [&] { return draw_candidate(sighting, opponent_goal, observed, random); });
+      best_.choose(count, observed, [&] { return draw_candidate(sighting, opponent_goal, observed, random); });
   return best ? std::optional(best->pose) : std::nullopt;
 }
 

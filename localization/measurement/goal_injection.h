@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// New pose particles where a goal was seen (the paper's Section 4).
+// New pose particles from a goal in view (the paper's Section 4).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// Rates are shares of all particles, replaced in a frame that shows a goal.
+/// Rates are fractions of all particles, replaced in each frame that shows a goal.
 struct InjectionParameters {
   bool enabled = true;
   double unknown_goal_rate = 0.0002;
@@ -35,48 +35,51 @@ struct InjectionParameters {
 
 template <typename Visit>
 void describe(InjectionParameters& p, Visit&& visit) {
-  visit("enabled", p.enabled, "draw new particles where a goal is seen");
-  visit("unknown_goal_rate", p.unknown_goal_rate, 0.0, 0.5, "", "share renewed while it is unknown which goal is seen");
-  visit("known_goal_rate", p.known_goal_rate, 0.0, 0.5, "", "share renewed while it is known which goal is seen");
-  visit("lost_rate", p.lost_rate, 0.0, 0.5, "", "share renewed on top of that when nothing fits any more");
-  visit("slow_time", p.slow_time, 1.0, 600.0, "s", "time over which the usual fit of the particles is learnt");
-  visit("fast_time", p.fast_time, 0.05, 60.0, "s", "time over which their present fit is averaged");
+  visit("enabled", p.enabled, "whether new particles are drawn when a goal is in view");
+  visit("unknown_goal_rate", p.unknown_goal_rate, 0.0, 0.5, "",
+        "fraction of the particles replaced in a frame with an unknown goal");
+  visit("known_goal_rate", p.known_goal_rate, 0.0, 0.5, "",
+        "fraction of the particles replaced in a frame with a known goal");
+  visit("lost_rate", p.lost_rate, 0.0, 0.5, "",
+        "additional fraction of the particles replaced in a frame when nothing fits any more");
+  visit("slow_time", p.slow_time, 1.0, 600.0, "s", "time constant of the usual fit of the particles");
+  visit("fast_time", p.fast_time, 0.05, 60.0, "s", "time constant of the present fit of the particles");
   visit("lost_margin", p.lost_margin, 0.05, 1.0, "",
-        "the robot counts as lost once the present fit is below this share of the usual");
+        "fraction of the usual fit; the robot counts as lost when the present fit is below it");
   visit("blind_time", p.blind_time, 1.0, 600.0, "s",
-        "time in which the present fit fades while the robot looks and sees nothing of the field");
+        "time constant with which the present fit fades while nothing of the field is in view");
   visit("use_landmarks", p.use_landmarks,
-        "whether a lost robot gets poses from intersections and the center circle, without a goal, too");
+        "whether a lost robot also gets poses from intersections and the center circle, without a goal");
   visit("use_view", p.use_view,
-        "whether a lost robot gets headings from where the room says that the camera looks, without a goal, too");
+        "whether a lost robot also gets headings from the view that room awareness estimates, without a goal");
   visit("line_points_with_view", p.line_points_with_view, 0, 200, "",
-        "how many line points must be seen for a place to be drawn without a goal");
-  visit("candidates", p.candidates, 1, 100, "", "how many poses are drawn for each new particle; the best is taken");
+        "smallest number of line points in view for poses drawn from the view, without a goal");
+  visit("candidates", p.candidates, 1, 100, "",
+        "number of poses drawn for each new particle, of which the best is used");
   visit("goal_width_tolerance", p.goal_width_tolerance, 0.05, 1.5, "m",
-        "two posts make a goal when their distance is right within this");
+        "largest error of the distance between two posts that count as a goal");
   visit("line_points_with_one_post", p.line_points_with_one_post, 0, 200, "",
-        "one post alone is enough when this many line points are seen with it");
+        "smallest number of line points in view for poses drawn from one post alone");
 }
 
-/// A goal as one frame shows it, robot frame, m. With one post only nobody knows which of the two it is.
+/// A goal as seen in one frame, m, robot frame. With one post only, it is unknown which of the two it is.
 struct GoalSighting {
   Eigen::Vector2d left = Eigen::Vector2d::Zero();
   std::optional<Eigen::Vector2d> right;
 };
 
-/// Draws poses from which a goal would be seen where it was seen.
+/// Draws poses that agree with the observed position of a goal.
 class GoalInjection {
  public:
   explicit GoalInjection(const FieldDimensions& field);
 
-  /// The goal in the observed frame, if there is one: the two posts whose distance fits a goal best, or else the
-  /// nearest post whose base is in view when there are enough lines to go with it. Of posts as far as the model that
-  /// has observed the percept uses them.
+  /// The goal in the percept, if any: the two posts whose distance fits a goal best, or else the nearest post with its
+  /// base in view if enough line points are in view. Considers posts up to the largest distance of `observed`.
   std::optional<GoalSighting> find_goal(const FieldPercept& percept, const MeasurementModel& observed,
                                         const InjectionParameters& parameters) const;
 
-  /// A pose that explains the sighting and, of some drawn at random, the rest of the observations best. While the goal
-  /// is unknown both goals are equally likely. Nothing where all of the drawn poses would be off the carpet.
+  /// Draws some poses that explain the sighting at random, and returns the one that explains the other observations
+  /// best. If the goal is unknown, both are equally likely. Empty if all of the poses would be off the carpet.
   std::optional<Pose2> draw(const GoalSighting& sighting, SeenGoal seen_goal, const MeasurementModel& observed,
                             const InjectionParameters& parameters, Random& random);
 

@@ -19,7 +19,7 @@ bool is_usable(const Eigen::Vector2d& place, double direction) {
 
 bool is_usable(const Intersection& seen) { return is_usable(seen.position, seen.direction); }
 
-/// The circle with its halfway line.
+/// Usable only together with the halfway line.
 bool is_usable(const std::optional<CenterCircle>& circle) {
   return circle && circle->halfway_direction && is_usable(circle->center, *circle->halfway_direction);
 }
@@ -37,15 +37,15 @@ std::size_t LandmarkInjection::landmarks(const FieldPercept& percept) {
 
 std::optional<Pose2> LandmarkInjection::draw_candidate(const FieldPercept& percept, const MeasurementModel& observed,
                                                        Random& random) const {
-  std::size_t wanted = random.below(landmarks(percept));
-  if (is_usable(percept.center_circle) && wanted-- == 0) {
+  std::size_t skipped = random.below(landmarks(percept));
+  if (is_usable(percept.center_circle) && skipped-- == 0) {
     const CenterCircle& circle = *percept.center_circle;
     const double direction = *circle.halfway_direction + rough(std::sqrt(circle.direction_variance), random);
     const double halfway = draw_halfway_direction(random);
     return pose_from_landmark(Eigen::Vector2d::Zero(), halfway, disturbed(circle.center, observed, random), direction);
   }
   const auto seen = std::find_if(percept.intersections.begin(), percept.intersections.end(),
-                                 [&wanted](const Intersection& one) { return is_usable(one) && wanted-- == 0; });
+                                 [&skipped](const Intersection& one) { return is_usable(one) && skipped-- == 0; });
   const FieldIntersection* const known = intersections_.draw(seen->kind, random);
   if (known == nullptr) return std::nullopt;
   double direction = seen->direction + rough(kDirectionDeviation, random);
@@ -56,8 +56,8 @@ std::optional<Pose2> LandmarkInjection::draw_candidate(const FieldPercept& perce
 std::optional<Pose2> LandmarkInjection::draw(const FieldPercept& percept, const MeasurementModel& observed,
                                              const InjectionParameters& parameters, Random& random) {
   if (landmarks(percept) == 0) return std::nullopt;
-  const auto wanted = static_cast<std::size_t>(std::max(1, parameters.candidates));
-  const auto best = best_.choose(wanted, observed, [&]() -> std::optional<Pose2> {
+  const auto count = static_cast<std::size_t>(std::max(1, parameters.candidates));
+  const auto best = best_.choose(count, observed, [&]() -> std::optional<Pose2> {
     const std::optional<Pose2> candidate = draw_candidate(percept, observed, random);
     const bool is_on_carpet = candidate && (candidate->position.cwiseAbs().array() <= carpet_.array()).all();
     return is_on_carpet ? candidate : std::nullopt;

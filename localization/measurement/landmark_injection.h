@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws poses where intersections of lines and the center circle say that the robot stands.
+// New pose particles from intersections of lines and from the center circle.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@
 
 namespace reorient {
 
-/// A landmark as one frame shows it: a place and a direction, which together give a pose for each such landmark of the
-/// field.
+/// Draws poses that agree with the observed position and direction of a landmark. Each landmark of this type on the
+/// field gives one such pose.
 class LandmarkInjection {
  public:
   explicit LandmarkInjection(const FieldDimensions& field);
 
-  /// How many landmarks of the percept give a pose.
+  /// Number of landmarks of the percept from which a pose can be computed.
   static std::size_t landmarks(const FieldPercept& percept);
 
-  /// A pose that explains one of the landmarks, as the errors of its measurement allow, and, of some drawn at random,
-  /// the rest of the observations best. Nothing: there is no landmark, or all of the drawn poses are off the carpet.
+  /// Draws some poses that explain one of the landmarks within its measurement errors at random, and returns the one
+  /// that explains the other observations best. Empty without a landmark, or if all of the poses are off the carpet.
   std::optional<Pose2> draw(const FieldPercept& percept, const MeasurementModel& observed,
                             const InjectionParameters& parameters, Random& random);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a robot stands that sees an intersection or the center circle, if it is this one of the field.
+// The pose of a robot that sees an intersection or the center circle, if it is a given one of the field.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 
 namespace reorient {
 
-/// The intersections of the field, to be drawn by their kind.
+/// The intersections of the field, to be drawn by their type.
 class IntersectionsByKind {
  public:
   explicit IntersectionsByKind(const FieldDimensions& field) : all_(field_intersections(field)) {}
 
-  /// Any of that kind, each equally likely. Null: the field has none.
+  /// A random one of this type, each equally likely. Null if the field has no such intersection.
   const FieldIntersection* draw(IntersectionKind kind, Random& random) const {
     const auto fits = [kind](const FieldIntersection& one) { return one.kind == kind; };
     const auto count = std::count_if(all_.begin(), all_.end(), fits);
@@ -33,15 +33,15 @@ class IntersectionsByKind {
   std::vector<FieldIntersection> all_;
 };
 
-/// rad: an X looks the same after a quarter turn, the others do not.
+/// rad: a random multiple of a quarter turn for an X, which looks the same then, and 0 for the others.
 inline double draw_turn(IntersectionKind kind, Random& random) {
   return kind == IntersectionKind::x ? kPi / 2.0 * static_cast<double>(random.below(4)) : 0.0;
 }
 
-/// rad, field frame: along the halfway line, which is known up to half a turn.
+/// rad, field frame: one of the two directions of the halfway line, at random.
 inline double draw_halfway_direction(Random& random) { return random.below(2) == 0 ? kPi / 2.0 : -kPi / 2.0; }
 
-/// From a landmark's place and direction, as known (field frame) and as seen (robot frame).
+/// The robot's pose from a landmark's known position and direction (field frame) and the observed ones (robot frame).
 inline Pose2 pose_from_landmark(const Eigen::Vector2d& known, double known_direction, const Eigen::Vector2d& seen,
                                 double seen_direction) {
   const double rotation = angle_difference(known_direction, seen_direction);

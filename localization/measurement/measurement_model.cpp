@@ -11,8 +11,8 @@
 namespace reorient {
 namespace {
 
-constexpr double kNearest = 0.1;           // m, what is nearer is the robot itself
-constexpr std::size_t kMostGoalPosts = 4;  // there are no more
+constexpr double kNearest = 0.1;           // m; a nearer point is on the robot itself
+constexpr std::size_t kMostGoalPosts = 4;  // of a field
 
 bool in_range(const Eigen::Vector2d& position, double farthest) {
   const double distance = position.norm();  // not finite where the position is not
@@ -35,8 +35,8 @@ void MeasurementModel::set_parameters(const MeasurementModelParameters& paramete
 
 double MeasurementModel::variance_along(double distance) const {
   const double height = parameters_.camera_height;
-  const double metres_per_radian = height + distance * distance / height;
-  return square(parameters_.position_deviation) + tilt_variance_ * square(metres_per_radian);
+  const double meters_per_radian = height + distance * distance / height;
+  return square(parameters_.position_deviation) + tilt_variance_ * square(meters_per_radian);
 }
 
 double MeasurementModel::variance_across(double distance) const {
@@ -47,7 +47,7 @@ void MeasurementModel::add(const LinePoint& point) {
   const double distance = point.position.norm();
   const Eigen::Vector2d sight = point.position / distance;
   const double along = sight.dot(unit_vector(point.normal));
-  // Only the error across the line can be noticed.
+  // Only the error across the line is observable.
   const double variance = square(along) * variance_along(distance) + (1.0 - square(along)) * variance_across(distance);
   line_points_.push_back({static_cast<float>(point.position.x()), static_cast<float>(point.position.y()),
                           to_binary_angle(point.normal),
@@ -87,8 +87,8 @@ void MeasurementModel::costs(const ParticleSet& particles, std::vector<float>& c
   costs.assign(particles.size(), 0.0f);
   for (const ObservedLinePoint& point : line_points_) add_costs(point, particles, costs);
   if (static_cast<double>(line_points_.size()) > parameters_.independent_points) {
-    const auto share = static_cast<float>(parameters_.independent_points / static_cast<double>(line_points_.size()));
-    for (float& cost : costs) cost *= share;
+    const auto fraction = static_cast<float>(parameters_.independent_points / static_cast<double>(line_points_.size()));
+    for (float& cost : costs) cost *= fraction;
   }
   for (const ObservedGoalPost& post : goal_posts_) add_costs(post, particles, costs);
 }
@@ -96,7 +96,7 @@ void MeasurementModel::costs(const ParticleSet& particles, std::vector<float>& c
 void MeasurementModel::add_costs(const ObservedLinePoint& point, const ParticleSet& particles,
                                  std::vector<float>& costs) const {
   const auto limit = static_cast<float>(parameters_.line_point_cost_limit);
-  // In blocks: first the arithmetic, which the compiler vectorises, then the look-ups, which it cannot.
+  // In blocks: first the arithmetic, which the compiler vectorizes, then the look-ups, which it cannot.
   std::array<std::int32_t, 64> indices;
   for (std::size_t begin = 0; begin < particles.size(); begin += indices.size()) {
     const std::size_t count = std::min(indices.size(), particles.size() - begin);
@@ -129,7 +129,7 @@ void MeasurementModel::add_costs(const ObservedGoalPost& post, const ParticleSet
     const float y = particles.y[i] + (sine * post.x + cosine * post.y);
     const float sight_x = cosine * post.sight_x - sine * post.sight_y;
     const float sight_y = sine * post.sight_x + cosine * post.sight_y;
-    // The nearer goal, and either of its posts: the four posts are (+-goal_x, +-post_y).
+    // The four posts are (+-goal_x, +-post_y): takes the nearer goal, and the better of its two posts.
     const float off_x = x - std::copysign(goal_x, x);
     float least = limit;
     for (const float side : {post_y, -post_y}) {

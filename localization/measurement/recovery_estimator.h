@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Notices that the pose particles have lost the robot.
+// Detects that the pose particles have lost the robot.
 #pragma once
 
 #include "geometry/bytes.h"
@@ -7,27 +7,26 @@
 namespace reorient {
 
 /// Augmented Monte Carlo localization (Thrun, Burgard, Fox: Probabilistic Robotics, table 8.3): follows how well the
-/// particles fit the observations, once slowly and once fast. When the fast value falls behind, the robot is lost.
+/// particles fit the observations, as a slow and a fast average. When the fast one is clearly lower, the robot is lost.
 class RecoveryEstimator {
  public:
-  /// Forgets what fit is usual here.
+  /// Forgets the usual fit.
   void restart() { *this = RecoveryEstimator(); }
-  /// The robot may be elsewhere by now: the present fit is that from now on.
+  /// The robot may have moved: the fast average starts again.
   void doubt() { fast_age_ = 0.0; }
 
-  /// Takes in the fit of a frame, a likelihood per observation in [0, 1], `elapsed` seconds after the one before.
-  /// Both averages are true means until their time constants (s) have passed.
+  /// Adds the fit of a frame, a likelihood per observation in [0, 1], `elapsed` seconds after the previous frame.
+  /// Each average is the true mean until its time constant (s) has passed.
   void update(double fit, double elapsed, double slow_time, double fast_time);
 
-  /// Nothing of the field was seen for `elapsed` seconds, although the robot looked: the present fit fades, and is gone
-  /// after some times `blind_time`, s.
+  /// Nothing of the field was in view for `elapsed` seconds, although the cameras worked: the fast average decays with
+  /// the time constant `blind_time`, s.
   void see_nothing(double elapsed, double blind_time);
 
   double slow() const { return slow_; }
   double fast() const { return fast_; }
 
-  /// How sure it is that the robot is lost: 0 while fast >= margin * slow, 1 where nothing fits any more. 0 before the
-  /// first frame.
+  /// Probability that the robot is lost: 0 while fast >= margin * slow, 1 if nothing fits. 0 before the first frame.
   double recovery_probability(double margin) const;
 
   /// Throws BadBytes.
@@ -41,7 +40,7 @@ class RecoveryEstimator {
   void complete() const;
 
   double age_ = 0.0;       ///< s
-  double fast_age_ = 0.0;  ///< s since the doubt
+  double fast_age_ = 0.0;  ///< s since the last doubt()
   double slow_ = 0.0;
   double fast_ = 0.0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// New pose particles where the room is known and the pose is not: each place on the field with the heading that the
-// view gives it.
+// New pose particles for a lost robot in a known room: random positions on the field, with the heading that the view
+// determines for each.
 #pragma once
 
 #include "geometry/field_dimensions.h"
@@ -11,15 +11,15 @@
 
 namespace reorient {
 
-/// The heading, rad, of a robot at `position` (m, field frame) that looks there. `azimuth`: on the wall, rad.
+/// The heading, rad, of a robot at `position` (m, field frame) that looks at `azimuth` (rad, on the wall).
 double heading_of_view(const SeenView& view, const Eigen::Vector2d& position, double azimuth);
 
 class ViewInjection {
  public:
   explicit ViewInjection(const FieldDimensions& field);
 
-  /// A pose on the carpet that fits the view and, of some drawn at random, the observations best. The first half is
-  /// drawn anywhere, the second half around the best of the first.
+  /// Draws some poses on the carpet that fit the view at random, and returns the one that fits the observations best.
+  /// The first half is drawn anywhere, the second half around the best of the first half.
   Pose2 draw(const SeenView& view, const MeasurementModel& observed, const InjectionParameters& parameters,
              Random& random);
 

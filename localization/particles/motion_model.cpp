@@ -17,7 +17,7 @@ struct RoughNoise {
   std::int32_t ahead, aside, turned;
 };
 
-// Of such sums; the variance of a byte is (256^2 - 1) / 12.
+// Mean and standard deviation of such sums; the variance of a byte is (256^2 - 1) / 12.
 constexpr float kMeanOfThree = 382.5f, kMeanOfTwo = 255.0f;
 constexpr double kDeviationOfThree = 127.999, kDeviationOfTwo = 104.511;
 
@@ -33,16 +33,16 @@ RoughNoise rough_noise(Random& random) {
 }  // namespace
 
 StepNoise step_noise(const Pose2& step, double time, const MotionModelParameters& p) {
-  const double way = step.position.norm();
+  const double distance = step.position.norm();
   const double turn = std::abs(step.rotation);
-  return {std::sqrt(square(p.position_noise_per_time) * time + square(p.position_noise_per_distance) * way),
-          std::sqrt(square(p.rotation_noise_per_time) * time + square(p.rotation_noise_per_distance) * way +
+  return {std::sqrt(square(p.position_noise_per_time) * time + square(p.position_noise_per_distance) * distance),
+          std::sqrt(square(p.rotation_noise_per_time) * time + square(p.rotation_noise_per_distance) * distance +
                     square(p.rotation_noise_per_rotation) * turn)};
 }
 
 Pose2 believable_step(const Pose2& odometry_step) {
   constexpr double kLongest = 10.0;  // m
-  // False where either is not a number.
+  // False if a value is NaN.
   const bool believable = odometry_step.position.norm() <= kLongest && std::abs(odometry_step.rotation) <= kPi;
   return believable ? odometry_step : Pose2();
 }
@@ -56,14 +56,14 @@ void predict(ParticleSet& particles, const Pose2& odometry_step, double time_ste
   const auto forward = static_cast<float>(step.position.x());
   const auto left = static_cast<float>(step.position.y());
   const auto position_noise = static_cast<float>(noise.position / kDeviationOfThree);
-  // An eighth of a turn at most: so three and a half deviations stay below half a turn, as a whole number has to.
+  // An eighth of a turn at most: 3.5 deviations must stay below half a turn to fit into the integer.
   const auto rotation_noise =
       static_cast<float>(std::min(noise.rotation, kPi / 4.0) * kBinaryAnglesPerRadian / kDeviationOfTwo);
   const BinaryAngle turn = to_binary_angle(step.rotation);
   const auto limit_x = static_cast<float>(half_size.x());
   const auto limit_y = static_cast<float>(half_size.y());
 
-  // In blocks: first the random numbers, one after the other, then the arithmetic, which the compiler vectorises.
+  // In blocks: first the random numbers, one after the other, then the arithmetic, which the compiler vectorizes.
   std::array<std::int32_t, 64> ahead, aside, turned;
   for (std::size_t begin = 0; begin < particles.size(); begin += ahead.size()) {
     const std::size_t count = std::min(ahead.size(), particles.size() - begin);

@@ -12,9 +12,9 @@
 namespace reorient {
 namespace {
 
-constexpr float kLeastWeight = 1e-12f;  // no particle is ever ruled out for good by one frame
+constexpr float kLeastWeight = 1e-12f;  // one frame never rules out a particle for good
 
-/// As several least ones, which do not wait for each other.
+/// Computed as several independent minima, for instruction-level parallelism.
 float least_of(const std::vector<float>& values) {
   std::array<float, 16> least;
   least.fill(std::numeric_limits<float>::max());
@@ -26,7 +26,8 @@ float least_of(const std::vector<float>& values) {
   return *std::min_element(least.begin(), least.end());
 }
 
-/// Of term(value) over all: as four sums, which do not wait for each other, and on every machine in the same order.
+/// Sum of term(value) over all values: as four independent sums, for instruction-level parallelism, and in the same
+/// order on every machine.
 template <typename Term>
 double sum_of(const std::vector<float>& values, const Term& term) {
   std::array<double, 4> sums{};
@@ -57,22 +58,22 @@ void ParticleSet::set_rotation(std::size_t index, BinaryAngle angle) {
   sine[index] = reorient::sine(angle);
 }
 
-/// After reading: throws BadBytes where these are no particles.
+/// Checks the state after reading: throws BadBytes if the particles are invalid.
 void ParticleSet::complete() {
   check_bytes(!x.empty() && y.size() == x.size() && rotation.size() == x.size() && weight.size() == x.size(),
-              "the pose particles are incomplete");
+              "pose particles: lists of different lengths, or empty");
   cosine.resize(x.size());
   sine.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     check_bytes(std::isfinite(x[i]) && std::isfinite(y[i]) && std::isfinite(weight[i]) && weight[i] >= 0.0f,
-                "a pose particle is nowhere");
+                "pose particles: an invalid position or weight");
     set_rotation(i, rotation[i]);
   }
 }
 
-void weigh(ParticleSet& particles, std::vector<float>& costs, float share) {
+void weigh(ParticleSet& particles, std::vector<float>& costs, float fraction) {
   const float least = least_of(costs);
-  for (float& cost : costs) cost = share * (least - cost);
+  for (float& cost : costs) cost = fraction * (least - cost);
   pinned::exp(costs);
   for (std::size_t i = 0; i < particles.size(); ++i)
     particles.weight[i] = std::max(particles.weight[i] * costs[i], kLeastWeight);
@@ -93,17 +94,17 @@ double effective_sample_size(const ParticleSet& particles) {
   return 1.0 / sum_of(particles.weight, [](double weight) { return weight * weight; });
 }
 
-// Without branches that depend on the weights: a processor guesses half of those wrong, which takes longer than all of
-// the rest.
+// Without branches that depend on the weights: the processor would predict half of them wrong, which would take longer
+// than everything else.
 void resample_systematic(const ParticleSet& from, ParticleSet& to, double offset) {
-  constexpr std::size_t kBlock = 4;  // whose sums do not wait for each other
+  constexpr std::size_t kBlock = 4;  // particles with independent sums
   const std::size_t count = to.size();
   const auto most = static_cast<double>(count);
-  // Until the end the rotations hold, where the copies of a particle begin, its index.
+  // Until the last loop, to.rotation contains the index of a particle where its copies begin.
   std::fill(to.rotation.begin(), to.rotation.end(), BinaryAngle{0});
   std::size_t taken = 0;
   const auto begin_copies = [&](std::size_t source, double weights_to_here) {
-    // One without copies writes where the next one does.
+    // A particle without copies is overwritten by the next one.
     if (from.weight[source] > 0.0f && taken < count) to.rotation[taken] = static_cast<BinaryAngle>(source);
     const double end = std::min(most, weights_to_here * most - offset);
     const auto whole = static_cast<std::int32_t>(end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pose particles, a structure of arrays, and what every particle filter does with them.
+// The pose particles as a structure of arrays, and the standard operations of a particle filter.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace reorient {
 
-/// Weighted poses on the field. All arrays are of one length; `cosine` and `sine` belong to `rotation`.
+/// Weighted poses on the field. All arrays have the same length; `cosine` and `sine` are those of `rotation`.
 struct ParticleSet {
   std::vector<float> x;  ///< m
   std::vector<float> y;  ///< m
   std::vector<BinaryAngle> rotation;
   std::vector<float> cosine;
   std::vector<float> sine;
-  std::vector<float> weight;  ///< adds up to 1
+  std::vector<float> weight;  ///< sum: 1
 
   ParticleSet() = default;
   /// `count` particles of equal weight at the origin.
@@ -41,7 +41,7 @@ struct ParticleSet {
 };
 
 /// Roughly normal with mean 0 and standard deviation 1, within +-3.5: the sum of four 16-bit uniform numbers (Irwin and
-/// Hall). A particle's noise needs no tails, but it needs to be cheap and the same on every machine.
+/// Hall). A particle's noise needs no tails, but it must be fast and the same on every machine.
 inline float rough_normal(Random& random) {
   const std::uint64_t bits = random();
   const auto sum =
@@ -49,19 +49,19 @@ inline float rough_normal(Random& random) {
   return static_cast<float>(sum - 131070) * (1.0f / 37837.2f);
 }
 
-/// Multiplies each weight with the likelihood of what its particle explains, exp(-share * cost), and makes the weights
-/// add up to 1. Only differences of costs matter: the best particle keeps its weight, and none falls to zero. `costs`,
-/// as many as particles, is spent.
-void weigh(ParticleSet& particles, std::vector<float>& costs, float share);
+/// Multiplies each weight by the likelihood exp(-fraction * cost) and normalizes the weights. Only differences of costs
+/// matter: before the normalization the best particle keeps its weight, and none falls to zero. `costs`, one for each
+/// particle, is overwritten.
+void weigh(ParticleSet& particles, std::vector<float>& costs, float fraction);
 
-/// Makes the weights add up to 1; all alike where their sum is zero or not finite.
+/// Scales the weights to the sum 1. Makes them equal if their sum is zero or not finite.
 void normalize_weights(ParticleSet& particles);
 
 /// 1 / sum of squared weights: between 1 and size().
 double effective_sample_size(const ParticleSet& particles);
 
-/// Systematic resampling (Thrun, Burgard, Fox: Probabilistic Robotics, table 4.4): fills all of `to`, which keeps its
-/// own size, with particles of `from` in proportion to their weights. `offset` in [0, 1) is the one random number.
+/// Systematic resampling (Thrun, Burgard, Fox: Probabilistic Robotics, table 4.4): fills `to`, whose size does not
+/// change, with particles of `from` in proportion to their weights. `offset`: a random number in [0, 1).
 void resample_systematic(const ParticleSet& from, ParticleSet& to, double offset);
 
 }  // namespace reorient

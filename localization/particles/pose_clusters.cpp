@@ -7,7 +7,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kBinStep = 0.5;  // m; a bin is two steps wide, so that neighbours overlap by half
+constexpr double kBinStep = 0.5;  // m; a bin is two steps wide, so that neighbors overlap by half
 constexpr int kTurnSteps = 8;     // steps of rotation in a full turn; again a bin is two of them wide
 const PoseClusterParameters kBin{
     .radius = 1.5 * kBinStep, .max_rotation_difference = 2.0 * kPi / kTurnSteps, .lead_to_switch = 1.0};
@@ -17,7 +17,7 @@ constexpr double kShiftEnds = 1e-3;  // m and rad
 struct Cluster {
   Pose2 mean;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double share = 0.0;
+  double fraction = 0.0;
 };
 
 /// Calls take(offset, weight) for each particle near `center`; the offset from it is in m, m and rad.
@@ -42,16 +42,16 @@ void for_each_near(const ParticleSet& particles, const Pose2& center, const Pose
 Cluster cluster_around(const ParticleSet& particles, const Pose2& center, const PoseClusterParameters& parameters) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  double share = 0.0;
+  double fraction = 0.0;
   for_each_near(particles, center, parameters, [&](const Eigen::Vector3d& offset, double weight) {
     sum += weight * offset;
     squares += weight * offset * offset.transpose();
-    share += weight;
+    fraction += weight;
   });
-  if (share <= 0.0) return {center, Eigen::Matrix3d::Zero(), 0.0};
-  const Eigen::Vector3d mean = sum / share;
+  if (fraction <= 0.0) return {center, Eigen::Matrix3d::Zero(), 0.0};
+  const Eigen::Vector3d mean = sum / fraction;
   return {Pose2(center.position + mean.head<2>(), center.rotation + mean.z()),
-          squares / share - mean * mean.transpose(), share};
+          squares / fraction - mean * mean.transpose(), fraction};
 }
 
 Cluster shift_mean(const ParticleSet& particles, const Pose2& start, const PoseClusterParameters& parameters) {
@@ -70,9 +70,9 @@ Cluster shift_mean(const ParticleSet& particles, const Pose2& start, const PoseC
 }  // namespace
 
 double weight_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters) {
-  double share = 0.0;
-  for_each_near(particles, mean, parameters, [&](const Eigen::Vector3d&, double weight) { share += weight; });
-  return std::min(share, 1.0);
+  double fraction = 0.0;
+  for_each_near(particles, mean, parameters, [&](const Eigen::Vector3d&, double weight) { fraction += weight; });
+  return std::min(fraction, 1.0);
 }
 
 PoseClusters::PoseClusters(const FieldDimensions& field) {
@@ -114,13 +114,13 @@ Pose2 PoseClusters::center_of_fullest_bin(const ParticleSet& particles) {
 PoseBelief PoseClusters::find(const ParticleSet& particles, const PoseBelief& last,
                               const PoseClusterParameters& parameters) {
   Cluster believed = shift_mean(particles, last.pose, parameters);
-  // Where this cluster weighs enough, what is left over cannot be in the lead.
-  if (believed.share * (1.0 + parameters.lead_to_switch) < 1.0) {
+  // If this cluster is heavy enough, no other one can lead.
+  if (believed.fraction * (1.0 + parameters.lead_to_switch) < 1.0) {
     const Cluster bin = cluster_around(particles, center_of_fullest_bin(particles), kBin);
     const Cluster heaviest = shift_mean(particles, bin.mean, parameters);
-    if (heaviest.share > parameters.lead_to_switch * believed.share) believed = heaviest;
+    if (heaviest.fraction > parameters.lead_to_switch * believed.fraction) believed = heaviest;
   }
-  return {believed.mean, believed.covariance, believed.share,
+  return {believed.mean, believed.covariance, believed.fraction,
           weight_near(particles, reflect(believed.mean), parameters)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From pose particles to one believed pose: the mean of the heaviest cluster.
+// Computes the believed pose from the pose particles: the mean of the heaviest cluster.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@ struct PoseClusterParameters {
 
 template <typename Visit>
 void describe(PoseClusterParameters& p, Visit&& visit) {
-  visit("radius", p.radius, 0.1, 3.0, "m", "particles this near to a cluster's mean belong to it");
+  visit("radius", p.radius, 0.1, 3.0, "m", "largest distance of a cluster's particles from its mean");
   visit("max_rotation_difference", p.max_rotation_difference, 0.1, 3.0, "rad",
-        "and those whose rotation differs from its mean by less than this");
+        "largest difference between the rotations of a cluster's particles and of its mean");
   visit("lead_to_switch", p.lead_to_switch, 1.0, 10.0, "",
-        "another cluster is believed once it weighs this many times as much as the one believed before");
+        "ratio of its weight to that of the believed cluster at which another cluster becomes the belief");
 }
 
 /// Finds clusters by counting in overlapping bins and shifting the mean of the fullest (Fukunaga and Hostetler, 1975).
@@ -30,8 +30,8 @@ class PoseClusters {
  public:
   explicit PoseClusters(const FieldDimensions& field);
 
-  /// The belief after `last`, whose pose is where the cluster believed before is by now. That cluster keeps its
-  /// place until another clearly outweighs it, so that the belief does not jump between clusters of equal weight.
+  /// The new belief. `last`: the previous one, with its pose moved by the odometry. Its cluster remains the belief
+  /// until another one is clearly heavier, so that the belief does not jump between clusters of equal weight.
   PoseBelief find(const ParticleSet& particles, const PoseBelief& last, const PoseClusterParameters& parameters);
 
  private:
@@ -44,7 +44,7 @@ class PoseClusters {
   std::vector<float> bins_;  ///< weight in [rotation][row][column]
 };
 
-/// Share of the particles' weight that belongs to a cluster with this mean.
+/// Fraction of the particles' weight in a cluster with this mean.
 double weight_near(const ParticleSet& particles, const Pose2& mean, const PoseClusterParameters& parameters);
 
 }  // namespace reorient

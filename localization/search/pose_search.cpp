@@ -17,10 +17,10 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kRandomStream = 0x736561726368;  // "search": apart from the streams of the other rooms
+constexpr std::uint64_t kRandomStream = 0x736561726368;  // "search": differs from the streams of other modules
 constexpr double kCostLimit = 3.0;                       // of one point
-constexpr double kIndependentPoints = 4.0;               // those of one image share errors
-constexpr int kParts = 3;                                // of the poses tried: the best of each is refined
+constexpr double kIndependentPoints = 4.0;               // of one image, since its points share errors
+constexpr int kParts = 3;                                // of the poses tried; the best of each part is refined
 constexpr double kOnLine = 2.0;                          // standard deviations
 constexpr double kSamePosition = 0.5;                    // m
 constexpr double kSameRotation = 0.35;                   // rad
@@ -30,13 +30,13 @@ constexpr double kPostSight = 0.01;                      // rad
 
 bool is_same(const Pose2& one, const Pose2& other) { return are_near(one, other, kSamePosition, kSameRotation); }
 
-/// The turn from the camera with which something was found to the camera of the hypothesis.
+/// The rotation from the camera of the sighting to the camera of the hypothesis.
 TiltBias turn_of(const PoseHypothesis& one, const Sighting& sighting) {
   const TiltBias sum = bias_of(one.bias, sighting.camera, sighting.robot_from_camera);
   return {sum.roll - sighting.used.roll, sum.pitch - sighting.used.pitch};
 }
 
-double independent_share(const Sighting& sighting) {
+double independent_fraction(const Sighting& sighting) {
   return std::min(1.0, kIndependentPoints / static_cast<double>(std::max(1U, sighting.line_count)));
 }
 
@@ -50,7 +50,7 @@ double prior_cost(const TiltBias& bias, const TiltBias& mean, double deviation) 
   return (square(bias.roll - mean.roll) + square(bias.pitch - mean.pitch)) / (2.0 * square(deviation));
 }
 
-/// Of the place of a post, along each axis, m^2.
+/// Variance of the position of a post along each axis, m^2.
 double post_variance(const Eigen::Vector2d& place) {
   return square(kPostDeviation) + square(kPostSight * place.squaredNorm());
 }
@@ -72,7 +72,7 @@ void PoseSearch::forget_before(double time) {
   stop();
 }
 
-/// From a landmark where one was seen, else from anywhere; with angles as they may be beforehand.
+/// Draws a pose from a landmark, or anywhere without one, with angles from the prior.
 PoseHypothesis PoseSearch::draw(const BiasPrior& prior, const Pose2& odometry) {
   PoseHypothesis one;
   one.bias.torso = disturbed(prior.mean.torso, prior.torso_deviation, random_);
@@ -85,13 +85,13 @@ PoseHypothesis PoseSearch::draw(const BiasPrior& prior, const Pose2& odometry) {
     return one;
   };
   const std::size_t landmarks = sightings_.landmarks();
-  // A landmark may be a false one: a part of the poses is drawn without any.
+  // Landmarks may be false positives, so a part of the poses is drawn without one.
   if (landmarks == 0 || random_.below(4) == 0) return anywhere();
-  std::size_t wanted = random_.below(landmarks);
+  std::size_t skipped = random_.below(landmarks);
   std::size_t i = 0;
-  while (wanted >= sightings_[i].landmark_count) wanted -= sightings_[i++].landmark_count;
+  while (skipped >= sightings_[i].landmark_count) skipped -= sightings_[i++].landmark_count;
   const Sighting& sighting = sightings_[i];
-  const Sighting::Landmark& seen = sighting.landmarks[wanted];
+  const Sighting::Landmark& seen = sighting.landmarks[skipped];
   Eigen::Vector2d known = Eigen::Vector2d::Zero();
   double known_direction = draw_halfway_direction(random_);
   if (seen.kind) {
@@ -106,7 +106,7 @@ PoseHypothesis PoseSearch::draw(const BiasPrior& prior, const Pose2& odometry) {
   return one;
 }
 
-/// Of some of the points, by the map: fast, and good enough to choose what is refined.
+/// The cost of some of the points by the map: fast, and good enough to choose which pose to refine.
 double PoseSearch::rough_cost(const PoseHypothesis& one, const FieldMap& map) const {
   constexpr std::size_t kEvery = 3;
   double cost = 0.0;
@@ -127,7 +127,7 @@ double PoseSearch::rough_cost(const PoseHypothesis& one, const FieldMap& map) co
   return cost;
 }
 
-/// Gauss-Newton steps with less and less tolerance for what does not fit.
+/// Gauss-Newton steps with decreasing tolerance for outliers.
 void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2& odometry) const {
   constexpr int kSize = 9, kTorso = 3;  // x, y, rotation; roll and pitch of torso and of both mounts
   constexpr std::array kMounts{5, 7};
@@ -151,10 +151,10 @@ void PoseSearch::refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2
       const TiltBias turn = turn_of(one, sighting);
       const Pose2 robot = one.field_from_odometry * sighting.odometry;
       const Eigen::Vector2d axis = mount_axis(sighting.robot_from_camera);
-      const double share = independent_share(sighting);
+      const double fraction = independent_fraction(sighting);
       const auto add = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& on_field, const Eigen::Vector2d& normal,
                            double residual, double variance) {
-        const double weight = share / (variance * (1.0 + square(residual) / (square(tolerance) * variance)));
+        const double weight = fraction / (variance * (1.0 + square(residual) / (square(tolerance) * variance)));
         const TiltRow tilt = tilt_row(rotated(normal, -robot.rotation), place, sighting.robot_from_camera, axis);
         Eigen::Matrix<double, kSize, 1> row = Eigen::Matrix<double, kSize, 1>::Zero();
         row.head<3>() << normal.x(), normal.y(), cross(on_field - now.position, normal);
@@ -209,13 +209,13 @@ void PoseSearch::judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior
     const Sighting& sighting = sightings_[i];
     const TiltBias turn = turn_of(one, sighting);
     const Pose2 robot = one.field_from_odometry * sighting.odometry;
-    const double share = independent_share(sighting);
+    const double fraction = independent_fraction(sighting);
     for (std::size_t j = 0; j < sighting.line_count; ++j) {
       const Sighting::Line& line = sighting.lines[j];
       const Eigen::Vector2d on_field = robot * moved_by_tilt(line.place, sighting.robot_from_camera, turn);
       const double distance = map.distance(on_field, line.normal + robot.rotation);
       const double squared = square(distance) / line.variance;
-      one.cost += share * std::min(0.5 * squared, kCostLimit);
+      one.cost += fraction * std::min(0.5 * squared, kCostLimit);
       ++points;
       fitting += squared <= square(kOnLine) ? 1 : 0;
     }
@@ -229,7 +229,7 @@ void PoseSearch::judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior
   one.fit = points == 0 ? 0.0 : static_cast<double>(fitting) / static_cast<double>(points);
 }
 
-/// Among the best, if it is one of them. A pose and its reflection are one.
+/// Stores a hypothesis if it is among the best. A pose and its reflection count as the same.
 void PoseSearch::keep(const PoseHypothesis& one, const Pose2& odometry) {
   const Pose2 pose = one.field_from_odometry * odometry;
   if ((pose.position.cwiseAbs().array() > carpet_.array()).any()) return;
@@ -255,7 +255,7 @@ std::optional<PoseHypothesis> PoseSearch::search(const FieldMap& map, const Bias
   if (!parameters_.enabled || sightings_.points() < static_cast<std::size_t>(parameters_.fewest_points))
     return std::nullopt;
   if (sightings_[sightings_.size() - 1].time - sightings_[0].time < parameters_.least_time) return std::nullopt;
-  // What was found before is judged by what has been seen since; one of it is refined.
+  // Refines one of the hypotheses of earlier frames, and computes the costs of all with the new sightings.
   if (count_ > 0) refine(best_[next_++ % count_], prior, odometry);
   std::array<PoseHypothesis, kMostHypotheses> before = best_;
   const std::uint32_t count = std::exchange(count_, 0);
@@ -292,14 +292,14 @@ std::optional<PoseHypothesis> PoseSearch::search(const FieldMap& map, const Bias
   return found;
 }
 
-/// After reading.
+/// Checks the state after reading.
 void PoseSearch::complete() const {
-  check_bytes(count_ <= kMostHypotheses, "more hypotheses than there are");
+  check_bytes(count_ <= kMostHypotheses, "pose search: more hypotheses than possible");
   for (const PoseHypothesis& one : best_) {
     bool is_finite = one.field_from_odometry.position.allFinite() && std::isfinite(one.field_from_odometry.rotation);
     for (const TiltBias& bias : {one.bias.torso, one.bias.mounts[0], one.bias.mounts[1]})
       is_finite = is_finite && std::isfinite(bias.roll + bias.pitch);
-    check_bytes(is_finite && std::isfinite(one.cost + one.fit), "a hypothesis has a number that is not finite");
+    check_bytes(is_finite && std::isfinite(one.cost + one.fit), "pose search: a value of a hypothesis is not finite");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the pose of a robot that does not know it, and the errors of its camera's angles: matches all that was seen
-// within the last seconds with the field, from many poses and tilts.
+// Finds the pose of a lost robot and the errors of its camera's angles: matches the percepts of the last seconds with
+// the field, for many poses and tilts.
 #pragma once
 
 #include <array>
@@ -30,20 +30,21 @@ struct PoseSearchParameters {
 
 template <typename Visit>
 void describe(PoseSearchParameters& p, Visit&& visit) {
-  visit("enabled", p.enabled, "whether a lost robot matches what it saw within seconds with the field");
-  visit("candidates", p.candidates, 2, 1000, "", "how many poses and tilts are tried in each frame");
-  visit("fewest_points", p.fewest_points, 1, 200, "", "fewer line points say nothing");
-  visit("least_time", p.least_time, 0.0, 6.0, "s", "they must have been seen over so long a time");
-  visit("least_fit", p.least_fit, 0.1, 1.0, "", "share of them that lies on lines from the right pose");
-  visit("lead", p.lead, 0.0, 100.0, "", "how much likelier the best pose must be than any other (a log-likelihood)");
+  visit("enabled", p.enabled, "whether a lost robot matches its percepts of the last seconds with the field");
+  visit("candidates", p.candidates, 2, 1000, "", "number of poses and tilts tried in each frame");
+  visit("fewest_points", p.fewest_points, 1, 200, "", "smallest number of line points and posts for a search");
+  visit("least_time", p.least_time, 0.0, 6.0, "s", "shortest time over which they were seen");
+  visit("least_fit", p.least_fit, 0.1, 1.0, "",
+        "smallest fraction of the line points on lines for a pose that counts as found");
+  visit("lead", p.lead, 0.0, 100.0, "", "smallest lead of the best pose over any other, in log-likelihood");
 }
 
-/// One pose, with the bias that the angles would have.
+/// One pose, with the bias of the angles that belongs to it.
 struct PoseHypothesis {
   Pose2 field_from_odometry;
   CameraBias bias;    ///< without a deviation
-  double cost = 0.0;  ///< -log of the likelihood, without a constant
-  double fit = 0.0;   ///< share of the points that lie on lines
+  double cost = 0.0;  ///< -log of the likelihood, up to a constant
+  double fit = 0.0;   ///< fraction of the line points on lines
 };
 template <typename Visit, ConstOr<PoseHypothesis> T>
 void fields(Visit&& visit, T& one) {
@@ -56,19 +57,19 @@ class PoseSearch {
 
   void set_parameters(const PoseSearchParameters& parameters) { parameters_ = parameters; }
 
-  /// Keeps what one camera sees, see Sightings::add().
+  /// Stores the percept of one camera, see Sightings::add().
   void see(const FieldPercept& percept, std::size_t camera, const Isometry3& robot_from_camera, const TiltBias& used,
            const Pose2& odometry, double time) {
     sightings_.add(percept, camera, robot_from_camera, used, odometry, time);
   }
-  /// The robot may stand elsewhere than where it saw the things before `time`, s.
+  /// The robot may have moved at `time`, s: deletes all earlier percepts.
   void forget_before(double time);
 
-  /// Tries some more poses, and the one that is believed so far. Gives a pose if it is clear that the robot stands
-  /// there or at the reflection of that; the next call starts a new search. `map`: of this field.
+  /// Tries some more poses, and the believed one. Returns a pose if it is clear that the robot is there or at its
+  /// reflection; then the next call starts a new search. `map`: of this field.
   std::optional<PoseHypothesis> search(const FieldMap& map, const BiasPrior& prior, const Pose2& odometry,
                                        const Pose2& believed);
-  /// The pose is known.
+  /// Ends the search, because the pose is known.
   void stop() {
     count_ = 0;
     searched_ = 0;
@@ -99,10 +100,10 @@ class PoseSearch {
   Eigen::Vector2d carpet_;  ///< half of its size, m
   Random random_;
   Sightings sightings_;
-  std::array<PoseHypothesis, kMostHypotheses> best_;  ///< the first `count_`; none is near to another
+  std::array<PoseHypothesis, kMostHypotheses> best_;  ///< the first `count_`, none of them near to another
   std::uint32_t count_ = 0;
   std::uint32_t searched_ = 0;  ///< frames
-  std::uint32_t next_ = 0;      ///< to be refined
+  std::uint32_t next_ = 0;      ///< the next one to be refined
 };
 
 }  // namespace reorient

@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kFewestLines = 3;          // points of an image that says anything
+constexpr std::uint32_t kFewestLines = 3;          // smallest number of points of a useful image
 constexpr double kNearest = 0.1, kFarthest = 5.0;  // m
 
 bool is_in_range(const Eigen::Vector2d& place) {
@@ -18,10 +18,10 @@ bool is_in_range(const Eigen::Vector2d& place) {
   return distance >= kNearest && distance <= kFarthest;
 }
 
-/// Across the line: of its place, and of the direction in which it is seen.
+/// Variance across the line, from the errors of its position and of the line of sight.
 double variance_of(const LinePoint& point, const Isometry3& robot_from_camera) {
   constexpr double kPlaceDeviation = 0.05, kSightDeviation = 0.008;  // m, rad
-  const double reach = metres_per_radian(point.position, unit_vector(point.normal), robot_from_camera);
+  const double reach = meters_per_radian(point.position, unit_vector(point.normal), robot_from_camera);
   return kPlaceDeviation * kPlaceDeviation + kSightDeviation * kSightDeviation * reach * reach;
 }
 
@@ -79,22 +79,22 @@ std::size_t Sightings::landmarks() const {
   return landmarks;
 }
 
-/// After reading.
+/// Checks the state after reading.
 void Sightings::complete() const {
-  check_bytes(count_ <= kMost, "more sightings than there are");
+  check_bytes(count_ <= kMost, "sightings: more than possible");
   for (const Sighting& one : all_) {
     check_bytes(one.camera < 2 && one.line_count <= Sighting::kMostLines && one.post_count <= Sighting::kMostPosts &&
                     one.landmark_count <= Sighting::kMostLandmarks,
-                "a sighting has impossible counts");
+                "sightings: a count is out of range");
     check_bytes(one.robot_from_camera.matrix().allFinite() && one.odometry.position.allFinite(),
-                "a sighting has an impossible camera pose");
+                "sightings: a pose is not finite");
     bool is_finite = std::isfinite(one.time + one.odometry.rotation + one.used.roll + one.used.pitch);
     for (const Sighting::Line& line : one.lines)
       is_finite = is_finite && line.place.allFinite() && std::isfinite(line.normal) && line.variance > 0.0;
     for (const Eigen::Vector2d& post : one.posts) is_finite = is_finite && post.allFinite();
     for (const Sighting::Landmark& landmark : one.landmarks)
       is_finite = is_finite && landmark.place.allFinite() && std::isfinite(landmark.direction);
-    check_bytes(is_finite, "a sighting has an impossible position");
+    check_bytes(is_finite, "sightings: a value is not finite or not positive");
   }
 }
 

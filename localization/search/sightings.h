@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was seen of the field within the last seconds, each image with where the robot was by its odometry.
+// The percepts of the field from the last seconds, each image with the robot's pose in the odometry frame.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// Points in the robot's frame at the moment of the image, m, as they were found.
+/// The percepts of one image, m, in the robot's frame at the time of the image.
 struct Sighting {
   struct Line {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
@@ -26,11 +26,11 @@ struct Sighting {
   friend void fields(Visit&& visit, T& line) {
     visit(line.place, line.normal, line.variance);
   }
-  /// A place and a direction, which give a pose for each such landmark of the field.
+  /// A position and a direction, which determine a pose for each landmark of this type on the field.
   struct Landmark {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     double direction = 0.0;                ///< rad
-    std::optional<IntersectionKind> kind;  ///< nothing: the center circle, the direction is the halfway line's
+    std::optional<IntersectionKind> kind;  ///< empty: the center circle with the direction of the halfway line
   };
   template <typename Visit, ConstOr<Landmark> T>
   friend void fields(Visit&& visit, T& landmark) {
@@ -41,10 +41,10 @@ struct Sighting {
   double time = 0.0;  ///< s
   Pose2 odometry;
   std::uint32_t camera = 0;                             ///< 0: the upper one
-  Isometry3 robot_from_camera = Isometry3::Identity();  ///< with which the points were found
-  TiltBias used;                                        ///< the bias that was corrected in it
+  Isometry3 robot_from_camera = Isometry3::Identity();  ///< from which the positions were computed
+  TiltBias used;                                        ///< the bias that robot_from_camera is corrected by
   std::array<Line, kMostLines> lines;
-  /// Whose base was in view.
+  /// Posts with the base in view.
   std::array<Eigen::Vector2d, kMostPosts> posts{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   std::uint32_t line_count = 0;
   std::uint32_t post_count = 0;
@@ -57,17 +57,17 @@ void fields(Visit&& visit, T& sighting) {
         sighting.posts, sighting.line_count, sighting.post_count, sighting.landmarks, sighting.landmark_count);
 }
 
-/// The latest ones; memory for all of them from the start.
+/// The latest sightings. Allocates no memory.
 class Sightings {
  public:
   static constexpr std::size_t kMost = 20;
-  static constexpr double kBetween = 0.25;  ///< s, between two of one camera
+  static constexpr double kBetween = 0.25;  ///< s, shortest time between two of one camera
   static constexpr double kOldest = 6.0;    ///< s
 
-  /// Takes it in where it is time for another one and it shows enough. Drops those that are too old.
+  /// Adds a percept if it shows enough and the last one of this camera is old enough. Deletes those that are too old.
   void add(const FieldPercept& percept, std::size_t camera, const Isometry3& robot_from_camera, const TiltBias& used,
            const Pose2& odometry, double time);
-  /// Those that are older than this (s) are of another place.
+  /// Deletes sightings before `time` (s).
   void forget_before(double time);
   void clear() { count_ = 0; }
 
@@ -86,7 +86,7 @@ class Sightings {
  private:
   void complete() const;
 
-  std::array<Sighting, kMost> all_;  ///< the first `count_`, the oldest first
+  std::array<Sighting, kMost> all_;  ///< the first `count_` are valid, the oldest first
   std::uint32_t count_ = 0;
   std::array<double, 2> last_{-1e9, -1e9};  ///< s, of each camera
 };

@@ -13,9 +13,9 @@ std::optional<TiltBias> GravityBias::feel(const Eigen::Vector3d& acceleration, c
   constexpr double kMostOff = 4.0;    // m/s^2
   constexpr double kFeltFor = 3.0;    // s
   constexpr int kFewest = 60;         // samples
-  constexpr double kMostTilt = 0.35;  // rad; with more the robot does not stand
-  constexpr double kNothing = 1e-12;  // what a robot without an accelerometer says is exactly upright
-  if (is_told_) return std::nullopt;
+  constexpr double kMostTilt = 0.35;  // rad; a robot that is tilted more does not stand
+  constexpr double kNothing = 1e-12;  // m/s^2; a robot without an accelerometer sends exactly vertical gravity
+  if (is_reported_) return std::nullopt;
   const bool is_believable = std::abs(acceleration.norm() - kGravity) <= kMostOff &&
                              std::abs(measured.roll) <= kMostTilt && std::abs(measured.pitch) <= kMostTilt;
   if (!is_believable || acceleration.head<2>().norm() < kNothing || !std::isfinite(time)) return std::nullopt;
@@ -30,9 +30,9 @@ std::optional<TiltBias> GravityBias::feel(const Eigen::Vector3d& acceleration, c
   ++samples_;
   if (samples_ < kFewest || time - began_ < kFeltFor) return std::nullopt;
   const TiltBias mean{sum_.roll / samples_, sum_.pitch / samples_};
-  is_told_ = std::abs(mean.roll) <= kMostTilt && std::abs(mean.pitch) <= kMostTilt;
+  is_reported_ = std::abs(mean.roll) <= kMostTilt && std::abs(mean.pitch) <= kMostTilt;
   interrupt();
-  return is_told_ ? std::optional(mean) : std::nullopt;
+  return is_reported_ ? std::optional(mean) : std::nullopt;
 }
 
 void GravityBias::interrupt() {

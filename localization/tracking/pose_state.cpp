@@ -18,27 +18,27 @@ PoseState::Vector PoseState::values() const {
 void PoseState::predict(const Pose2& step, double time, const MotionModelParameters& motion, double drift,
                         double sway_variance, double sway_time) {
   const Pose2 next = pose * step;
-  const Eigen::Vector2d way = next.position - pose.position;
+  const Eigen::Vector2d motion_on_field = next.position - pose.position;
   pose = next;
   for (std::size_t j = 0; j < kSize; ++j) {
-    covariance[kX][j] -= way.y() * covariance[kRotation][j];
-    covariance[kY][j] += way.x() * covariance[kRotation][j];
+    covariance[kX][j] -= motion_on_field.y() * covariance[kRotation][j];
+    covariance[kY][j] += motion_on_field.x() * covariance[kRotation][j];
   }
   for (std::size_t i = 0; i < kSize; ++i) {
-    covariance[i][kX] -= way.y() * covariance[i][kRotation];
-    covariance[i][kY] += way.x() * covariance[i][kRotation];
+    covariance[i][kX] -= motion_on_field.y() * covariance[i][kRotation];
+    covariance[i][kY] += motion_on_field.x() * covariance[i][kRotation];
   }
   const StepNoise noise = step_noise(step, time, motion);
   covariance[kX][kX] += square(noise.position);
   covariance[kY][kY] += square(noise.position);
   covariance[kRotation][kRotation] += square(noise.rotation);
   for (std::size_t i = kTorso; i < kSway; ++i) covariance[i][i] += drift * time;
-  const double kept = pinned::exp(-time / sway_time);
+  const double decay = pinned::exp(-time / sway_time);
   for (std::size_t i = kSway; i < kSize; ++i) {
-    mean[i] *= kept;
-    for (std::size_t j = 0; j < kSize; ++j) covariance[i][j] *= kept;
-    for (std::size_t j = 0; j < kSize; ++j) covariance[j][i] *= kept;
-    covariance[i][i] += sway_variance * (1.0 - square(kept));
+    mean[i] *= decay;
+    for (std::size_t j = 0; j < kSize; ++j) covariance[i][j] *= decay;
+    for (std::size_t j = 0; j < kSize; ++j) covariance[j][i] *= decay;
+    covariance[i][i] += sway_variance * (1.0 - square(decay));
   }
 }
 

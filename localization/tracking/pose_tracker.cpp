@@ -17,16 +17,16 @@ constexpr std::size_t kTorso = PoseState::kTorso, kMounts = PoseState::kMounts, 
 constexpr std::size_t kMostLinePoints = 24;             // of one camera's image
 constexpr double kIndependentOfImage = 8.0;             // points of one image share errors
 constexpr double kOutlier = 3.5;                        // standard deviations
-constexpr double kOwnFeet = 0.1;                        // m, what is nearer is the robot itself
+constexpr double kOwnFeet = 0.1;                        // m; a nearer point is on the robot itself
 constexpr double kLongestStep = 0.2;                    // s
-constexpr double kKnownAfter = 5.0;                     // s, attached: what is learned of the angles then is believed
+constexpr double kKnownAfter = 5.0;                     // s of tracking that confirm the learned angles
 constexpr double kGoodFit = 0.6;                        // of the line points
 constexpr double kLeastNoise = 0.02, kMostNoise = 4.0;  // of the parameters' variances
 constexpr double kMostNormalized = 4.0;                 // of one image
 constexpr double kFitTime = 1.0;                        // s
 constexpr double kLeastFit = 0.5;                       // of the line points
-constexpr double kMostBias = 0.35;                      // rad, 20 degrees: with more it is another camera
-constexpr double kMostApart = 0.35;                     // m, of tracked pose and particles' mean, beside their spread
+constexpr double kMostBias = 0.35;                      // rad, 20 degrees; a larger bias is impossible
+constexpr double kMostApart = 0.35;                     // m, from the particles' mean, beyond their spread
 constexpr double kMostTurned = 0.3;                     // rad
 constexpr double kLongestApart = 0.4;                   // s
 
@@ -47,8 +47,8 @@ void PoseTracker::take_found(const CameraBias& bias) {
   take_bias(bias, kFoundDeviation);
 }
 
-/// `deviation`: of the sums of torso and mounting, rad; 0: these are not known. How the two share their sum is known
-/// less well.
+/// `deviation`: of the sums of torso and mounting, rad; 0: the sums are unknown. The single terms are known less well
+/// than their sum.
 void PoseTracker::take_bias(const CameraBias& bias, double deviation) {
   attached_ = false;
   const auto put = [&](std::size_t at, const TiltBias& angles) {
@@ -78,12 +78,12 @@ void PoseTracker::take_bias(const CameraBias& bias, double deviation) {
 
 void PoseTracker::take_gravity(const TiltBias& torso) {
   if (!(parameters_.gravity_deviation > 0.0)) return;
-  const std::array told{torso.roll, torso.pitch};
+  const std::array estimated{torso.roll, torso.pitch};
   const auto correct = [&](PoseState& state) {
     const PoseState::Vector before = state.values();
-    for (std::size_t i = 0; i < told.size(); ++i) {
+    for (std::size_t i = 0; i < estimated.size(); ++i) {
       PoseState::Measured measured;
-      measured.residual = before[kTorso + i] - told[i];
+      measured.residual = before[kTorso + i] - estimated[i];
       measured.row[kTorso + i] = 1.0;
       measured.variance = square(parameters_.gravity_deviation);
       state.take(measured, before);
@@ -98,11 +98,11 @@ void PoseTracker::remember_bias() { known_ = state_; }
 BiasPrior PoseTracker::prior() const {
   BiasPrior prior{bias(), 0.0, 0.0};
   if (!parameters_.enabled) return prior;
-  // Where only the sum is known, both are known as well as that.
+  // Scales both deviations by how well their sum is known.
   const double usual = std::sqrt(square(parameters_.torso_deviation) + square(parameters_.mount_deviation));
-  const double share = usual > 0.0 ? std::min(1.0, prior.mean.deviation / usual) : 0.0;
-  prior.torso_deviation = share * parameters_.torso_deviation;
-  prior.mount_deviation = share * parameters_.mount_deviation;
+  const double fraction = usual > 0.0 ? std::min(1.0, prior.mean.deviation / usual) : 0.0;
+  prior.torso_deviation = fraction * parameters_.torso_deviation;
+  prior.mount_deviation = fraction * parameters_.mount_deviation;
   return prior;
 }
 
@@ -118,7 +118,7 @@ void PoseTracker::let_go() {
   state_.covariance = known_.covariance;
 }
 
-/// The longer the robot is lost, the less its former bias is believed.
+/// The longer the robot is lost, the less certain its former bias is.
 void PoseTracker::widen_bias(double time) {
   constexpr double kPerSecond = from_degrees(0.5);
   for (std::size_t i = kTorso; i < kSway; ++i) {
@@ -132,9 +132,9 @@ void PoseTracker::attach(const PoseBelief& believed) {
   attached_ = true;
   attached_for_ = apart_for_ = 0.0;
   fit_ = 1.0;
-  constexpr double kMetresPerRadian = 5.0;  // by which a wrong attitude moves the particles, about
+  constexpr double kMetersPerRadian = 5.0;  // by which a wrong attitude moves the particles, roughly
   const double attitude = bias().deviation;
-  const double position = 0.03 + kMetresPerRadian * attitude, rotation = 0.02 + attitude;
+  const double position = 0.03 + kMetersPerRadian * attitude, rotation = 0.02 + attitude;
   state_.pose = believed.pose;
   PoseState::Matrix& covariance = state_.covariance;
   for (std::size_t i = 0; i < kTorso; ++i) {
@@ -167,7 +167,7 @@ void PoseTracker::update(const std::array<CameraPercept, 2>& seen, const PoseBel
   attached_for_ += time;
   apart_for_ = is_near(believed) ? 0.0 : apart_for_ + time;
   if (apart_for_ > kLongestApart || fit_ < kLeastFit) return let_go();
-  // Errors last: frames that follow each other faster say less in proportion.
+  // Errors last for some time, so frames at shorter intervals weigh proportionally less.
   const double weight = time < parameters_.sway_time ? time / parameters_.sway_time : 1.0;
   LineFit fit;
   for (std::size_t camera = 0; camera < seen.size(); ++camera) {
@@ -176,8 +176,8 @@ void PoseTracker::update(const std::array<CameraPercept, 2>& seen, const PoseBel
     see_posts(seen[camera], camera, weight);
   }
   if (fit.fitting + fit.odd > 0) {
-    const double share = static_cast<double>(fit.fitting) / static_cast<double>(fit.fitting + fit.odd);
-    fit_ += std::min(1.0, time / kFitTime) * (share - fit_);
+    const double fraction = static_cast<double>(fit.fitting) / static_cast<double>(fit.fitting + fit.odd);
+    fit_ += std::min(1.0, time / kFitTime) * (fraction - fit_);
   }
   if (fit.measured > 0) {
     const double normalized = std::min(fit.normalized_squares / fit.measured, kMostNormalized);
@@ -208,17 +208,17 @@ void PoseTracker::see_lines(const CameraPercept& seen, std::size_t camera, doubl
     one.residual = line->distance;
     one.row = state_.row_of(line->normal, point.position, seen.robot_from_camera, camera);
     const double reach =
-        metres_per_radian(point.position, rotated(line->normal, -state_.pose.rotation), seen.robot_from_camera);
+        meters_per_radian(point.position, rotated(line->normal, -state_.pose.rotation), seen.robot_from_camera);
     one.variance = square(parameters_.line_deviation) + square(parameters_.pixel_deviation * reach);
     const double state_variance = state_.variance_of(one.row);
-    // By the parameters' noise, however little there is: what is too sure of itself must notice it.
+    // Uses the parameters' noise, not the learned one, so that an overconfident state still accepts correct points.
     const double expected = std::sqrt(one.variance + state_variance);
     if (std::abs(one.residual) > kOutlier * expected) {
       ++fit.odd;
       continue;
     }
     ++fit.fitting;
-    // Which of two lines it is must be known.
+    // Skips a point that could belong to two lines.
     if (line->next - std::abs(one.residual) < 2.0 * expected) continue;
     fit.normalized_squares += square(one.residual) / (noise_ * one.variance + state_variance);
     ++fit.measured;
@@ -239,7 +239,7 @@ void PoseTracker::see_posts(const CameraPercept& seen, std::size_t camera, doubl
     const double distance = post.position.norm();
     if (!(distance >= 3.0 * kOwnFeet && distance <= kFarthestPost)) continue;
     const Eigen::Vector2d place = state_.pose * post.position;
-    // The post of the field in about this direction; a second one as near would be a guess.
+    // Uses the post only if exactly one post of the field fits.
     const Eigen::Vector2d sight = (place - state_.pose.position) / distance;
     const Eigen::Vector2d across(-sight.y(), sight.x());
     const PoseState::Vector before = state_.values();
@@ -308,7 +308,7 @@ double PoseTracker::bias_deviation(const Isometry3& robot_from_camera, std::size
   return std::sqrt(std::max(0.0, state_.variance_of(row)));
 }
 
-/// Whether its biases are possible.
+/// Whether the biases are possible.
 bool PoseTracker::is_sound(const PoseState& state) {
   for (std::size_t i = 0; i < kSize; ++i) {
     if (!(std::abs(state.mean[i]) <= kMostBias) || !(state.covariance[i][i] >= 0.0)) return false;
@@ -319,12 +319,13 @@ bool PoseTracker::is_sound(const PoseState& state) {
   return true;
 }
 
-/// After reading.
+/// Checks the state after reading.
 void PoseTracker::complete() {
   const Pose2& pose = state_.pose;
   const bool is_pose = pose.position.allFinite() && std::isfinite(pose.rotation + attached_for_ + apart_for_ + fit_);
-  check_bytes(is_pose && noise_ >= kLeastNoise && noise_ <= kMostNoise, "the tracked pose is impossible");
-  check_bytes(is_sound(state_) && is_sound(known_), "the camera's bias is impossible");
+  check_bytes(is_pose && noise_ >= kLeastNoise && noise_ <= kMostNoise,
+              "pose tracker: the pose, a time or the noise is invalid");
+  check_bytes(is_sound(state_) && is_sound(known_), "pose tracker: the camera's bias is invalid");
 }
 
 }  // namespace reorient

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Follows one hypothesis of the pose filter exactly, together with the errors of the camera's angles: a camera that
-// looks too low and a robot that stands farther back look the same from one view. Localization with an extended Kalman
+// Tracks one hypothesis of the pose filter precisely, together with the errors of the camera's angles, because in one
+// view a camera that looks too low and a robot that is farther back look the same. Localization with an extended Kalman
 // filter (Thrun, Burgard, Fox: Probabilistic Robotics, chapter 7.4).
 #pragma once
 
@@ -36,26 +36,27 @@ struct PoseTrackerParameters {
 
 template <typename Visit>
 void describe(PoseTrackerParameters& p, Visit&& visit) {
-  visit("enabled", p.enabled, "whether pose and camera bias are tracked; otherwise the pose is the particles' mean");
+  visit("enabled", p.enabled,
+        "whether pose and camera bias are tracked; otherwise the pose is the mean of the particles");
   visit("torso_deviation", p.torso_deviation, 0.0, 0.3, "rad",
-        "standard deviation of the torso's measured roll and pitch, of robots in general");
-  visit("mount_deviation", p.mount_deviation, 0.0, 0.3, "rad", "the same of the mounting of a camera");
+        "standard deviation of the error of the torso's measured roll and pitch, before anything is learned");
+  visit("mount_deviation", p.mount_deviation, 0.0, 0.3, "rad",
+        "standard deviation of the error of a camera's mounting in roll and pitch, before anything is learned");
   visit("gravity_deviation", p.gravity_deviation, 0.0, 0.3, "rad",
-        "the same of the direction of gravity that an accelerometer tells; 0: it is not asked");
-  visit("drift", p.drift, 0.0, 0.1, "rad/s^0.5", "how fast these errors change");
-  visit("sway_deviation", p.sway_deviation, 0.0, 0.2, "rad",
-        "standard deviation of the torso's sway that is not measured");
-  visit("sway_time", p.sway_time, 0.01, 10.0, "s", "how long such an error lasts; that of a line's place, too");
-  visit("line_deviation", p.line_deviation, 0.001, 1.0, "m", "error of a line point near the robot");
-  visit("pixel_deviation", p.pixel_deviation, 0.0001, 0.1, "rad", "error of the direction in which something is seen");
-  visit("noise_time", p.noise_time, 0.1, 1e6, "s",
-        "time in which it is learned how large these errors of this robot really are");
-  visit("farthest_line_point", p.farthest_line_point, 1.0, 60.0, "m", "line points farther away are not used");
+        "standard deviation of the direction of gravity from the accelerometer; 0 disables its use");
+  visit("drift", p.drift, 0.0, 0.1, "rad/s^0.5", "rate at which the errors of torso and mountings change");
+  visit("sway_deviation", p.sway_deviation, 0.0, 0.2, "rad", "standard deviation of the torso's unmeasured sway");
+  visit("sway_time", p.sway_time, 0.01, 10.0, "s", "time constant of the sway and of the errors of line points");
+  visit("line_deviation", p.line_deviation, 0.001, 1.0, "m", "standard deviation of a line point near the robot");
+  visit("pixel_deviation", p.pixel_deviation, 0.0001, 0.1, "rad",
+        "standard deviation of the direction of a line of sight");
+  visit("noise_time", p.noise_time, 0.1, 1e6, "s", "time constant with which the true size of these errors is learned");
+  visit("farthest_line_point", p.farthest_line_point, 1.0, 60.0, "m", "largest distance at which line points are used");
 }
 
-/// What one camera saw, and the pose of the camera with which it was found (corrected by the bias).
+/// The percept of one camera, and the pose of the camera with which it was computed (corrected by the bias).
 struct CameraPercept {
-  const FieldPercept* percept = nullptr;  ///< nothing: no image
+  const FieldPercept* percept = nullptr;  ///< null: no image
   Isometry3 robot_from_camera = Isometry3::Identity();
 };
 
@@ -65,35 +66,35 @@ class PoseTracker {
 
   void set_parameters(const PoseTrackerParameters& parameters) { parameters_ = parameters; }
 
-  /// Follows the robot's motion, as PoseFilter::predict() does. `time_step`: s.
+  /// Follows the odometry, as PoseFilter::predict() does. `time_step`: s.
   void predict(const Pose2& odometry_step, double time_step, const MotionModelParameters& motion);
-  /// Begins to follow a hypothesis: `believed` is known to be right, or right but for its reflection.
+  /// Starts to track a hypothesis: either `believed` or its reflection is known to be right.
   void attach(const PoseBelief& believed);
-  /// Takes in what was seen. `believed`: by the pose filter, after its update. Lets go where that is elsewhere for
-  /// long, or what is seen does not fit.
+  /// Updates the state with the percepts. `believed`: of the pose filter after its update. Calls let_go() if this
+  /// belief differs for long, or if the percepts do not fit.
   void update(const std::array<CameraPercept, 2>& seen, const PoseBelief& believed, double time_step);
-  /// The hypothesis may be wrong. What was learned of the angles within the last seconds is forgotten.
+  /// Stops tracking, because the hypothesis may be wrong. Restores the biases of some seconds ago.
   void let_go();
-  /// The robot fell or was carried: the same, and its mounts may have moved a little.
+  /// The robot fell or was lifted: the same, and its mounts may have moved a little.
   void doubt();
-  /// The belief is the reflection of the one before.
+  /// Reflects the tracked pose.
   void flip() { state_.flip(); }
-  /// What was saved of this body.
+  /// Sets the bias that was saved for this body.
   void set_bias(const CameraBias& bias);
 
-  /// What an accelerometer says of the torso's bias. Once of each: its errors stay the same.
+  /// Uses the accelerometer's estimate of the torso's bias. Call it once: the accelerometer's error is constant.
   void take_gravity(const TiltBias& torso);
 
-  /// What a search has found, known to about a degree. Call it before attach().
+  /// Sets the bias that a search has found, with an error of about a degree. Call it before attach().
   void take_found(const CameraBias& bias);
   BiasPrior prior() const;
 
-  /// Whether the belief is the tracked one.
+  /// Whether a pose is tracked.
   bool is_attached() const { return parameters_.enabled && attached_; }
-  /// `believed` with the tracked pose and covariance, where one is tracked.
+  /// `believed`, with the tracked pose and covariance if one is tracked.
   PoseBelief belief(const PoseBelief& believed) const;
   CameraBias bias() const;
-  /// rad: standard deviation of that about the camera's own horizontal axis, which spoils distances.
+  /// rad: standard deviation of the bias about the camera's horizontal axis, which affects distances.
   double bias_deviation(const Isometry3& robot_from_camera, std::size_t camera) const;
 
   /// Throws BadBytes.
@@ -105,12 +106,12 @@ class PoseTracker {
   }
 
  private:
-  /// How the line points of a frame fit the lines.
+  /// How well the line points of a frame fit the lines.
   struct LineFit {
-    int fitting = 0;                  ///< on a line, within what the parameters expect
-    int odd = 0;                      ///< not
-    int measured = 0;                 ///< of those that fit, used
-    double normalized_squares = 0.0;  ///< of these: squared residuals by their expected variances
+    int fitting = 0;                  ///< on a line, within the errors that the parameters expect
+    int odd = 0;                      ///< not on a line
+    int measured = 0;                 ///< used, of those that fit
+    double normalized_squares = 0.0;  ///< of the used ones: squared residuals over expected variances
   };
 
   static bool is_sound(const PoseState& state);
@@ -126,12 +127,12 @@ class PoseTracker {
   FieldLineMap lines_;
   std::array<Eigen::Vector2d, 4> posts_;
   PoseState state_;
-  PoseState known_;  ///< the biases, while it had been attached for long; the pose in it has no meaning
+  PoseState known_;  ///< the confirmed biases, after tracking for long enough; its pose is unused
   bool attached_ = false;
   double attached_for_ = 0.0;  ///< s
-  double apart_for_ = 0.0;     ///< s, for which its belief has been elsewhere
-  double fit_ = 1.0;           ///< share of the line points that lie on lines, over the last second
-  double noise_ = 1.0;         ///< what the points' variances really are, as a share of what the parameters say
+  double apart_for_ = 0.0;     ///< s, for which the pose filter's belief has differed
+  double fit_ = 1.0;           ///< fraction of the line points on lines, over the last second
+  double noise_ = 1.0;         ///< true variance of the points, relative to the parameters'
 };
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a point on the ground is seen if the camera's attitude is a little other than it was taken for.
+// How the measured position of a point on the ground changes with small errors of the camera's attitude.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// A camera that is lower than this (m) says nothing about places on the ground.
+/// A camera lower than this (m) cannot measure positions on the ground.
 inline constexpr double kLeastCameraHeight = 0.1;
 
 /// How a point on the ground moves (m/rad) as the camera is rotated about the robot's axes through the camera.
@@ -25,11 +25,11 @@ inline TiltDerivative tilt_derivative(const Eigen::Vector2d& point, const Isomet
           Eigen::Vector2d(-height, 0.0) - away * (away.x() / height)};
 }
 
-/// The point itself after such a rotation: the same ray, exact for small angles however far away it is. Where it does
-/// not meet the ground any more, a point far away.
+/// The point after such a rotation: the same ray, exact for small angles at any distance. A point far away if the ray
+/// does not meet the ground any more.
 inline Eigen::Vector2d moved_by_tilt(const Eigen::Vector2d& point, const Isometry3& robot_from_camera,
                                      const TiltBias& turn) {
-  constexpr double kFarthest = 20.0;  // times as far
+  constexpr double kFarthest = 20.0;  // times the former distance
   const Eigen::Vector2d origin = robot_from_camera.translation().head<2>();
   const Eigen::Vector2d away = point - origin;
   const double height = std::max(robot_from_camera.translation().z(), kLeastCameraHeight);
@@ -38,14 +38,14 @@ inline Eigen::Vector2d moved_by_tilt(const Eigen::Vector2d& point, const Isometr
   return origin + longer * (away + Eigen::Vector2d(-height * turn.pitch, height * turn.roll));
 }
 
-/// How the distance of a point from a line changes with each bias, m/rad.
+/// Derivative of a point's distance from a line by each bias, m/rad.
 struct TiltRow {
   double roll = 0.0;  ///< of the torso
   double pitch = 0.0;
   double mount_roll = 0.0;  ///< of the camera's mounting
   double mount_pitch = 0.0;
 };
-/// `normal`: across the line, of length 1, robot frame. `axis`: mount_axis() of the camera.
+/// `normal`: unit vector across the line, robot frame. `axis`: mount_axis() of the camera.
 inline TiltRow tilt_row(const Eigen::Vector2d& normal, const Eigen::Vector2d& point, const Isometry3& robot_from_camera,
                         const Eigen::Vector2d& axis) {
   const TiltDerivative derivative = tilt_derivative(point, robot_from_camera);
@@ -53,9 +53,9 @@ inline TiltRow tilt_row(const Eigen::Vector2d& normal, const Eigen::Vector2d& po
   return {roll, pitch, axis.x() * roll + axis.y() * pitch, axis.x() * pitch - axis.y() * roll};
 }
 
-/// How far a point on the ground moves across a line if the direction in which it is seen changes, at most: along the
-/// line of sight with the square of its distance, across it with the distance itself.
-inline double metres_per_radian(const Eigen::Vector2d& point, const Eigen::Vector2d& normal,
+/// Upper bound of how far a point on the ground moves across a line if the direction of its line of sight changes.
+/// Along the line of sight it grows with the square of the distance, across it linearly.
+inline double meters_per_radian(const Eigen::Vector2d& point, const Eigen::Vector2d& normal,
                                 const Isometry3& robot_from_camera) {
   const double distance = point.norm();
   const double height = std::max(robot_from_camera.translation().z(), kLeastCameraHeight);
