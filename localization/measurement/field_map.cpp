@@ -67,7 +67,7 @@ bool is_size(double meters) { return meters > 0.0 && meters <= 200.0; }
 
 FieldMap::FieldMap(const FieldDimensions& field) {
   if (!is_size(field.length) || !is_size(field.width) || !(field.border >= 0.0 && field.border <= 50.0)) {
-    throw std::invalid_argument("field map: length and width must be in (0, 200] m, border in [0, 50] m");
+    throw std::invalid_argument("field map: expected length and width in (0, 200] m and border in [0, 50] m");
   }
   const Eigen::Vector2d half_size = field_half_size(field) + Eigen::Vector2d(std::max(0.0, field.goal_depth), 0.0) +
                                     Eigen::Vector2d::Constant(kMaxDistance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame's localization asks for no heap memory once it runs.
+// Checks that the localization of a frame allocates no heap memory in the steady state.
 #include <cstdlib>
 #include <new>
 
@@ -17,7 +17,7 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-// Not inlined: the compiler would see a pointer of operator new be freed, and warn.
+// Not inlined, because the compiler would warn about free() of a pointer from operator new.
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
@@ -48,8 +48,8 @@ TEST(PoseFilterMemory, IsNotAllocatedInTheSteadyStateNorByCommands) {
   EXPECT_GT(before, 0u);
 }
 
-TEST(PoseFilterMemory, IsNotAllocatedByALostRobotThatKnowsItsView) {
-  PoseFilter filter(PoseFilterParameters(), FieldDimensions(), 1);  // which starts anywhere
+TEST(PoseFilterMemory, IsNotAllocatedByALostRobotWithAView) {
+  PoseFilter filter(PoseFilterParameters(), FieldDimensions(), 1);  // starts globally, so it is lost
   const Pose2 start(2.0, 0.5, 0.0);
   SyntheticField field(FieldDimensions(), PerceptErrors{.missed_posts = 1.0}, 1);
   const FieldPercept percept = field.look(start, 0.0, 0.0);

@@ -20,7 +20,7 @@ inline Pose2 any_pose_on_carpet() {
   return {x, y, *rc::gen::inRange(-3141, 3142) * 1e-3};
 }
 
-/// From 1 to 60 particles anywhere, with weights of any kind that add up to 1.
+/// 1 to 59 particles anywhere, with very different weights of sum 1.
 inline ParticleSet any_particles() {
   ParticleSet particles(static_cast<std::size_t>(*rc::gen::inRange(1, 60)));
   Random random(*rc::gen::arbitrary<std::uint64_t>());

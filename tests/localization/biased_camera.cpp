@@ -18,8 +18,8 @@ constexpr double kFarther = 0.02;       // m, to a point farther along a line
 std::optional<Eigen::Vector2d> on_ground(const Isometry3& robot_from_camera, const Eigen::Vector2d& pixel) {
   const Eigen::Vector3d ray = robot_from_camera.linear() * kUpperCamera.ray(pixel);
   if (ray.z() > -0.02 * ray.norm()) return std::nullopt;
-  const Eigen::Vector2d way = -robot_from_camera.translation().z() / ray.z() * ray.head<2>();
-  return Eigen::Vector2d(robot_from_camera.translation().head<2>() + way);
+  const Eigen::Vector2d from_camera = -robot_from_camera.translation().z() / ray.z() * ray.head<2>();
+  return Eigen::Vector2d(robot_from_camera.translation().head<2>() + from_camera);
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ FieldPercept BiasedCamera::look(const Pose2& robot, const HeadAngles& head, cons
   };
   for (const FieldLine& line : field_lines(field_)) {
     const Eigen::Vector2d along = (line.to - line.from).normalized();
-    for (double way = 0.0; way < (line.to - line.from).norm(); way += kBetweenPoints)
-      add_line_point(line.from + way * along, along);
+    for (double along_line = 0.0; along_line < (line.to - line.from).norm(); along_line += kBetweenPoints)
+      add_line_point(line.from + along_line * along, along);
   }
   for (double angle = 0.0; angle < 2.0 * kPi; angle += kBetweenPoints / field_.center_circle_radius)
     add_line_point(field_.center_circle_radius * unit_vector(angle), unit_vector(angle + kPi / 2.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A robot on the field whose measured angles are wrong: what its camera sees of lines, landmarks and posts, placed on
-// the ground as the robot takes its camera to look.
+// A robot on the field whose measured angles are wrong: its percepts of lines, landmarks and posts, projected to the
+// ground with the camera pose that the robot assumes.
 #pragma once
 
 #include <array>
@@ -19,16 +19,16 @@ namespace reorient {
 
 class BiasedCamera {
  public:
-  /// `truth`: by how much the measured angles are wrong. `pixel_noise`: standard deviation, pixels.
+  /// `truth`: the true error of the measured angles. `pixel_noise`: standard deviation, pixels.
   BiasedCamera(const CameraBias& truth, double pixel_noise, std::uint64_t seed)
       : truth_(truth), pixel_noise_(pixel_noise), random_(seed, 3) {}
 
-  /// What is measured of the camera's pose.
+  /// The measured pose of the camera, without any correction.
   static Isometry3 measured(const HeadAngles& head);
-  /// The image of the upper camera as a robot sees it that corrects `known`.
+  /// The percept of the upper camera, for a robot that corrects its camera's pose by `known`.
   FieldPercept look(const Pose2& robot, const HeadAngles& head, const CameraBias& known);
 
-  double false_points = 0.0;  ///< share of the line points that lie anywhere
+  double false_points = 0.0;  ///< fraction of the line points at random positions
 
  private:
   CameraBias truth_;

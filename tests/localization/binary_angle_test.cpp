@@ -7,7 +7,7 @@
 namespace reorient {
 namespace {
 
-RC_GTEST_PROP(BinaryAngle, GoesThereAndBack, ()) {
+RC_GTEST_PROP(BinaryAngle, SurvivesTheConversionFromRadiansAndBack, ()) {
   const double angle = *rc::gen::inRange(-100000, 100000) * 1e-3;
   RC_ASSERT(std::abs(angle_difference(to_radians(to_binary_angle(angle)), angle)) < 2e-9);
 }
@@ -17,12 +17,12 @@ RC_GTEST_PROP(BinaryAngle, HasTheSineAndCosineOfItsRadians, (BinaryAngle angle))
   RC_ASSERT(std::abs(static_cast<double>(cosine(angle)) - std::cos(to_radians(angle))) < 4e-7);
 }
 
-RC_GTEST_PROP(BinaryAngle, HalfATurnLaterHasExactlyTheNegativeSineAndCosine, (BinaryAngle angle)) {
+RC_GTEST_PROP(BinaryAngle, NegatesSineAndCosineExactlyAfterHalfATurn, (BinaryAngle angle)) {
   RC_ASSERT(sine(angle + kHalfTurn) == -sine(angle));
   RC_ASSERT(cosine(angle + kHalfTurn) == -cosine(angle));
 }
 
-TEST(BinaryAngle, KnowsTheFourQuarters) {
+TEST(BinaryAngle, RepresentsTheFourQuartersExactly) {
   EXPECT_EQ(to_binary_angle(0.0), 0u);
   EXPECT_EQ(to_binary_angle(kPi / 2.0), 0x40000000u);
   EXPECT_EQ(to_binary_angle(kPi), kHalfTurn);

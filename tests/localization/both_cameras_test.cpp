@@ -13,7 +13,7 @@ GoalPost post_at(double x, double y, bool base_visible = true) {
   return post;
 }
 
-TEST(BothCameras, KeepTheLinePointsOfBoth) {
+TEST(BothCameras, MergeTheLinePointsOfBoth) {
   FieldPercept upper, lower, merged;
   upper.line_points.resize(3);
   lower.line_points.resize(2);
@@ -21,7 +21,7 @@ TEST(BothCameras, KeepTheLinePointsOfBoth) {
   EXPECT_EQ(merged.line_points.size(), 5u);
 }
 
-TEST(BothCameras, SeeOnePostAsOneAndBelieveTheCameraThatSeesItsBase) {
+TEST(BothCameras, MergeAPostInBothImagesAndPreferTheCameraThatSeesItsBase) {
   FieldPercept upper, lower, merged;
   upper.goal_posts = {post_at(1.4, 0.1, false), post_at(3.0, 1.5)};
   lower.goal_posts = {post_at(1.0, 0.08)};
@@ -31,7 +31,7 @@ TEST(BothCameras, SeeOnePostAsOneAndBelieveTheCameraThatSeesItsBase) {
   EXPECT_EQ(merged.goal_posts[0].position.x(), 1.0);
 }
 
-TEST(BothCameras, SeeTwoPostsWhereTheyAreApart) {
+TEST(BothCameras, DoNotMergePostsThatAreApart) {
   FieldPercept upper, lower, merged;
   upper.goal_posts = {post_at(3.0, 0.0)};
   lower.goal_posts = {post_at(1.0, 0.0), post_at(0.5, 0.5)};
@@ -47,7 +47,7 @@ Seen seen_at(double x, double y, double variance) {
   return seen;
 }
 
-TEST(BothCameras, BelieveOfALandmarkThatBothSeeTheSurerOne) {
+TEST(BothCameras, TakeTheMoreCertainMeasurementOfALandmarkInBothImages) {
   FieldPercept upper, lower, merged;
   upper.intersections = {seen_at<Intersection>(1.0, 0.0, 0.04), seen_at<Intersection>(3.0, 0.0, 0.1)};
   lower.intersections = {seen_at<Intersection>(1.1, 0.0, 0.01), seen_at<Intersection>(0.4, 0.8, 0.01)};
@@ -67,7 +67,7 @@ TEST(BothCameras, BelieveOfALandmarkThatBothSeeTheSurerOne) {
   EXPECT_EQ(merged.center_circle->center.x(), 2.0);
 }
 
-TEST(BothCameras, OfWhichOneIsBlindAreTheOtherOne) {
+TEST(BothCameras, GiveThePerceptOfTheOtherCameraWhenOneSeesNothing) {
   FieldPercept upper, nothing, merged;
   upper.line_points.resize(3);
   upper.goal_posts = {post_at(3.0, 0.0)};

@@ -15,7 +15,7 @@ namespace {
 const FieldDimensions kField;
 const CameraModel kCamera = CameraModel::from_fields_of_view(640, 480, from_degrees(56.3), from_degrees(43.7));
 
-/// What a camera that is mounted with `offset` sees of the lines at a place, taken as if it were mounted without.
+/// The line points of a camera that is mounted with `offset`, computed with the nominal mounting.
 std::vector<CalibrationView> views(const Pose2& robot, const CameraOffset& offset, double noise = 0.0) {
   Random random(7, 1);
   std::vector<CalibrationView> all;
@@ -57,7 +57,7 @@ TEST(CameraCalibration, FindsHowTheCameraIsMounted) {
   }
 }
 
-TEST(CameraCalibration, SaysNothingWhereTooLittleWasSeen) {
+TEST(CameraCalibration, FindsNothingFromTooFewLinePoints) {
   const Pose2 robot(-3.2, -1.5, from_degrees(40.0));
   EXPECT_FALSE(calibrate({}, robot, kField));
   std::vector<CalibrationView> few = views(robot, {});
@@ -65,7 +65,7 @@ TEST(CameraCalibration, SaysNothingWhereTooLittleWasSeen) {
   EXPECT_FALSE(calibrate(few, robot, kField));
 }
 
-TEST(CameraCalibration, SaysNothingWhereTheLinesAreElsewhere) {
+TEST(CameraCalibration, FindsNothingFromAWrongPose) {
   const Pose2 robot(-3.2, -1.5, from_degrees(40.0));
   EXPECT_FALSE(calibrate(views(robot, {}), Pose2(2.0, 1.0, from_degrees(-75.0)), kField));
 }

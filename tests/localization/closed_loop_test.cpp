@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole runs of the pose filter with synthetic percepts and odometry: what the robot can rely on.
+// Whole runs of the pose filter with synthetic percepts and odometry.
 #include <gtest/gtest.h>
 
 #include "localization/pose_filter.h"
@@ -17,41 +17,41 @@ PoseFilter filter_at(const Pose2& pose, std::uint64_t seed) {
   return filter;
 }
 
-/// The goal in the middle of the picture, as room awareness would tell.
+/// The goal in the center of the image, as room awareness would report it.
 SeenGoal goal_ahead(const SyntheticRobot& robot) {
   return std::cos(robot.truth.rotation + scanning_yaw(robot.time)) > 0.0 ? SeenGoal::opponent : SeenGoal::own;
 }
 
 class ClosedLoop : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(ClosedLoop, KnowsItsPoseWhileItWalksBetweenThePenaltyMarks) {
+TEST_P(ClosedLoop, TracksItsPoseWhileItWalksBetweenThePenaltyMarks) {
   PoseFilter filter = filter_at(kMark, GetParam());
   SyntheticRobot robot(filter, kMark, GetParam());
-  double worst_metres = 0.0;
-  double worst_radians = 0.0;
+  double worst_position = 0.0;
+  double worst_rotation = 0.0;
   while (robot.time < 120.0) {
     robot.walk();
-    worst_metres = std::max(worst_metres, robot.position_error());
-    worst_radians = std::max(worst_radians, robot.rotation_error());
+    worst_position = std::max(worst_position, robot.position_error());
+    worst_rotation = std::max(worst_rotation, robot.rotation_error());
   }
-  EXPECT_LT(worst_metres, 0.2);
-  EXPECT_LT(worst_radians, from_degrees(5.0));
+  EXPECT_LT(worst_position, 0.2);
+  EXPECT_LT(worst_rotation, from_degrees(5.0));
 }
 
-TEST_P(ClosedLoop, KnowsItsPoseBesideTheFieldWhileItScansItsHead) {
+TEST_P(ClosedLoop, TracksItsPoseBesideTheFieldWhileItMovesItsHead) {
   PoseFilter filter = filter_at(kBesideField, GetParam());
   SyntheticRobot robot(filter, kBesideField, GetParam());
-  double worst_metres = 0.0;
+  double worst_position = 0.0;
   while (robot.time < 60.0) {
     robot.stand();
-    worst_metres = std::max(worst_metres, robot.position_error());
+    worst_position = std::max(worst_position, robot.position_error());
   }
-  EXPECT_LT(worst_metres, 0.25);
+  EXPECT_LT(worst_position, 0.25);
   EXPECT_LT(robot.position_error(), 0.1);
   EXPECT_LT(robot.rotation_error(), from_degrees(3.0));
 }
 
-TEST_P(ClosedLoop, CannotTellThatItWasPutDownAtTheReflection) {
+TEST_P(ClosedLoop, CannotNoticeThatItStandsAtTheReflection) {
   PoseFilter filter = filter_at(reflect(kBesideField), GetParam());
   SyntheticRobot robot(filter, kBesideField, GetParam());
   while (robot.time < 60.0) {
@@ -69,7 +69,7 @@ TEST_P(ClosedLoop, StaysAtTheReflectionWhileItWalks) {
   }
 }
 
-TEST_P(ClosedLoop, IsRightAfterAFlipAtOnce) {
+TEST_P(ClosedLoop, IsCorrectImmediatelyAfterAFlip) {
   PoseFilter filter = filter_at(reflect(kBesideField), GetParam());
   SyntheticRobot robot(filter, kBesideField, GetParam());
   robot.stand_for(2.0);
@@ -79,7 +79,7 @@ TEST_P(ClosedLoop, IsRightAfterAFlipAtOnce) {
   EXPECT_TRUE(robot.believes_truth());
 }
 
-TEST_P(ClosedLoop, CreepsBackFromTheReflectionWhenItIsToldWhichGoalItSees) {
+TEST_P(ClosedLoop, ReturnsFromTheReflectionWhenTheSeenGoalIsKnown) {
   PoseFilter filter = filter_at(reflect(kMark), GetParam());
   SyntheticRobot robot(filter, kMark, GetParam());
   while (robot.time < 180.0 && !robot.believes_truth()) robot.walk(goal_ahead(robot));
@@ -97,20 +97,20 @@ TEST_P(ClosedLoop, FindsItsRotationAgainAfterAReset) {
   EXPECT_GT(filter.belief().cluster_weight, 0.6);
 }
 
-TEST_P(ClosedLoop, FindsItsPoseAgainAfterItWasCarriedTwoMetresSideways) {
+TEST_P(ClosedLoop, FindsItsPoseAgainAfterItWasMovedTwoMetersSideways) {
   const Pose2 start(-1.5, 1.0, 0.0);
   PoseFilter filter = filter_at(start, GetParam());
   SyntheticRobot robot(filter, start, GetParam());
   robot.stand_for(3.0);
   robot.truth.position.y() -= 2.0;
-  const double put_down = robot.time;
+  const double moved_at = robot.time;
   const auto found = [&] { return robot.believes_truth() || robot.believes_reflection(); };
   EXPECT_FALSE(found());
-  while (robot.time < put_down + 60.0 && !found()) robot.walk();
+  while (robot.time < moved_at + 60.0 && !found()) robot.walk();
   EXPECT_TRUE(found());
 }
 
-TEST_P(ClosedLoop, FindsTheTruthFromAnywhereWhenItIsToldWhichGoalItSees) {
+TEST_P(ClosedLoop, FindsTheTruthFromAnywhereWhenTheSeenGoalIsKnown) {
   PoseFilter filter(PoseFilterParameters(), FieldDimensions(), GetParam());
   SyntheticRobot robot(filter, {-1.0, 1.0, 0.5}, GetParam());
   while (robot.time < 180.0 && !(robot.believes_truth() && filter.belief().cluster_weight > 0.6))
@@ -118,7 +118,7 @@ TEST_P(ClosedLoop, FindsTheTruthFromAnywhereWhenItIsToldWhichGoalItSees) {
   EXPECT_TRUE(robot.believes_truth());
 }
 
-TEST_P(ClosedLoop, SurvivesErrorsTwiceToFourTimesAsLarge) {
+TEST_P(ClosedLoop, ToleratesErrorsTwoToFourTimesAsLarge) {
   PerceptErrors rough;
   rough.distance *= 2.0;
   rough.bearing *= 2.0;
@@ -132,8 +132,8 @@ TEST_P(ClosedLoop, SurvivesErrorsTwiceToFourTimesAsLarge) {
   }
 }
 
-/// Nothing fits then, until new particles are drawn; which goal is seen is not known.
-TEST(ClosedLoopOfMany, StayOnTheirSideWhenTheyWerePutBackALittleTurned) {
+/// After the rotation nothing fits until new particles are drawn. The goal in view is unknown.
+TEST(ClosedLoopOfMany, StayOnTheirSideWhenTheyArePlacedAgainSlightlyRotated) {
   const Pose2 beside_center(0.0, -3.0, kPi / 2.0);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     PoseFilter filter = filter_at(beside_center, seed);

@@ -28,11 +28,11 @@ RC_GTEST_PROP(FieldMap, LooksExactlyTheSameInAMirror, ()) {
   const auto x = static_cast<float>(*rc::gen::inRange(1, 7000)) * 1e-3f;
   const auto y = static_cast<float>(*rc::gen::inRange(1, 6000)) * 1e-3f;
   const BinaryAngle normal = *rc::gen::arbitrary<BinaryAngle>();
-  RC_PRE((normal * 2 + (1u << 27)) % (1u << 28) != 0);  // on the edge of two directions either may be taken
+  RC_PRE((normal * 2 + (1u << 27)) % (1u << 28) != 0);  // between two directions, either one may be used
   RC_ASSERT(spl_map().steps(x, y, normal) == spl_map().steps(-x, y, 0u - normal));
 }
 
-RC_GTEST_PROP(FieldMap, IsZeroOnEveryLineSeenFromEverySide, ()) {
+RC_GTEST_PROP(FieldMap, IsZeroOnEveryLineFromBothSides, ()) {
   const std::vector<FieldLine> lines = field_lines(FieldDimensions());
   const FieldLine line = lines[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(lines.size())))];
   const Eigen::Vector2d place = line.from + *rc::gen::inRange(0, 1001) * 1e-3 * (line.to - line.from);
@@ -41,22 +41,22 @@ RC_GTEST_PROP(FieldMap, IsZeroOnEveryLineSeenFromEverySide, ()) {
   RC_ASSERT(spl_map().distance(place, normal + kPi) <= FieldMap::kCellSize);
 }
 
-RC_GTEST_PROP(FieldMap, IsZeroOnTheCentreCircle, ()) {
+RC_GTEST_PROP(FieldMap, IsZeroOnTheCenterCircle, ()) {
   const double angle = *rc::gen::inRange(-3141, 3142) * 1e-3;
   const Eigen::Vector2d place = 0.75 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   RC_ASSERT(spl_map().distance(place, angle) <= FieldMap::kCellSize);
 }
 
 TEST(FieldMap, MeasuresTheDistanceFromATouchline) {
-  for (const double metres : {0.1, 0.3, 0.5, 0.9}) {
-    EXPECT_NEAR(spl_map().distance({1.7, 3.0 + metres}, kPi / 2.0), metres, FieldMap::kCellSize);
-    EXPECT_NEAR(spl_map().distance({1.7, 3.0 - metres}, kPi / 2.0), metres, FieldMap::kCellSize);
+  for (const double meters : {0.1, 0.3, 0.5, 0.9}) {
+    EXPECT_NEAR(spl_map().distance({1.7, 3.0 + meters}, kPi / 2.0), meters, FieldMap::kCellSize);
+    EXPECT_NEAR(spl_map().distance({1.7, 3.0 - meters}, kPi / 2.0), meters, FieldMap::kCellSize);
   }
 }
 
-TEST(FieldMap, DoesNotTakeATouchlineForALineAcrossIt) { EXPECT_GT(spl_map().distance({1.7, 3.0}, 0.0), 0.5); }
+TEST(FieldMap, DoesNotMatchATouchlineWithALineAcrossIt) { EXPECT_GT(spl_map().distance({1.7, 3.0}, 0.0), 0.5); }
 
-TEST(FieldMap, TakesAPenaltyMarkForALineOfAnyDirection) {
+TEST(FieldMap, MatchesAPenaltyMarkWithALineOfAnyDirection) {
   for (double normal = 0.0; normal < kPi; normal += 0.1) {
     EXPECT_LE(spl_map().distance({3.2, 0.0}, normal), FieldMap::kCellSize);
   }
@@ -69,7 +69,7 @@ TEST(FieldMap, IsFarFromAllLinesBeyondItsEdge) {
   }
 }
 
-TEST(FieldMap, TakesTheTubesBehindAGoalForLines) {
+TEST(FieldMap, MatchesTheTubesBehindAGoalWithLines) {
   const FieldDimensions field;
   const double rear = field.length / 2.0 + field.goal_depth;
   EXPECT_LT(spl_map().distance({rear, 0.3}, 0.0), 0.05);
@@ -84,14 +84,14 @@ TEST(FieldMap, HasNoGoalAreaWhereItsDepthIsZero) {
   EXPECT_EQ(field_lines(field).size() + 6, with);
 }
 
-TEST(FieldMap, PutsOppositePostsAtReflectedPlaces) {
+TEST(FieldMap, HasTheOppositePostsAtReflectedPositions) {
   const auto posts = goal_posts(FieldDimensions());
   EXPECT_EQ(posts[0], -posts[2]);
   EXPECT_EQ(posts[1], -posts[3]);
   EXPECT_EQ(posts[0], Eigen::Vector2d(4.5, 0.8));
 }
 
-TEST(FieldMap, RefusesFieldsOfImpossibleSize) {
+TEST(FieldMap, RejectsFieldsOfInvalidSize) {
   for (const double length :
        {0.0, -9.0, 1e9, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     FieldDimensions field;

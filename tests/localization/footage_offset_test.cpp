@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera offset from many images: vertical edges, field lines, and what neither determines.
+// The camera offset from many images, by vertical edges and by field lines, and what these do not determine.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -18,7 +18,7 @@ const CameraModel kFootageCamera = CameraModel::from_fields_of_view(640, 480, fr
 
 constexpr auto index_of(OffsetComponent component) { return static_cast<std::size_t>(component); }
 
-/// Images of poles around the camera, some clutter between them. `widest`: rad to either side.
+/// Images of poles around the camera, with some clutter. `widest`: largest bearing of a pole to both sides, rad.
 std::vector<EdgeView> pole_views(const CameraOffset& offset, double widest, int poles = 12, int clutter = 8) {
   Random random(3, 1);
   std::vector<EdgeView> views;
@@ -68,8 +68,8 @@ TEST(EdgeOffset, OfEdgesInTheMiddleOfTheImageHasNoTilt) {
   EXPECT_NEAR(to_degrees(found.offset.roll), 2.0, 0.3);
 }
 
-/// `share` of the true roll and pitch of each image were recorded, which differ from image to image.
-std::vector<EdgeView> swaying_views(double roll_share, double pitch_share) {
+/// Images with different roll and pitch, of which only these fractions were recorded.
+std::vector<EdgeView> swaying_views(double roll_fraction, double pitch_fraction) {
   std::vector<EdgeView> views = pole_views({.tilt = from_degrees(2.0), .roll = from_degrees(1.0)}, 0.5);
   Random random(3, 1);
   for (EdgeView& view : views) {
@@ -83,7 +83,7 @@ std::vector<EdgeView> swaying_views(double roll_share, double pitch_share) {
         *end = view.camera.project(swaying_from_level * view.camera.ray(*end)).value_or(*end);
     }
     view.robot_from_camera =
-        with_attitude(level, pitch_of(level) + pitch_share * pitch, roll_of(level) + roll_share * roll);
+        with_attitude(level, pitch_of(level) + pitch_fraction * pitch, roll_of(level) + roll_fraction * roll);
   }
   return views;
 }
@@ -92,7 +92,7 @@ TEST(EdgeOffset, LeavesOutARecordedAttitudeThatDoesNotBelongToTheImages) {
   EXPECT_EQ(mounting_from_edges(swaying_views(1.0, 1.0)).recorded, RecordedAttitude());
   EXPECT_EQ(mounting_from_edges(swaying_views(-1.0, 1.0)).recorded, (RecordedAttitude{.roll = false}));
   EXPECT_EQ(mounting_from_edges(swaying_views(1.0, -1.0)).recorded, (RecordedAttitude{.pitch = false}));
-  // Without a sway there is nothing to leave out.
+  // Without sway, the recorded attitude is correct.
   EXPECT_EQ(mounting_from_edges(pole_views({.tilt = from_degrees(2.0)}, 0.5)).recorded, RecordedAttitude());
 }
 
@@ -124,7 +124,7 @@ TEST(VerticalEdges, HaveTheDirectionOfABoundaryToATenthOfADegree) {
   }
 }
 
-TEST(VerticalEdges, AreNotFoundInAnEvenImageNorAcrossIt) {
+TEST(VerticalEdges, AreNotFoundInAUniformImageNorFromAHorizontalEdge) {
   EXPECT_TRUE(vertical_edges(Image(160, 120).view(), kFootageCamera, Isometry3::Identity(), kEdgeReach).empty());
   Image image(160, 120);
   for (int v = 60; v < 120; ++v) {
@@ -135,7 +135,7 @@ TEST(VerticalEdges, AreNotFoundInAnEvenImageNorAcrossIt) {
   EXPECT_TRUE(vertical_edges(ImageView(), kFootageCamera, Isometry3::Identity(), kEdgeReach).empty());
 }
 
-/// What images from many poses show of the lines, found with the recorded camera poses.
+/// Line points of images from many poses, computed with the recorded camera poses.
 std::vector<LineView> line_views_of(const CameraOffset& offset, const FieldDimensions& field, double noise) {
   Random random(5, 1);
   std::vector<LineView> views;

@@ -16,7 +16,7 @@ GoalPost post_at(const Pose2& robot, const Eigen::Vector2d& in_field, bool base_
   return goal_post(robot.inverse() * in_field, base_visible);
 }
 
-/// What is seen of the opponent goal without error, and of the lines.
+/// Percepts of the opponent goal and of the lines, without errors.
 struct Scene {
   explicit Scene(const Pose2& robot, bool both_posts = true) {
     SyntheticField field(FieldDimensions(), {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 1);
@@ -49,7 +49,7 @@ TEST(GoalInjection, DrawsPosesNearTheTruthFromTwoPostsOfAKnownGoal) {
   }
 }
 
-TEST(GoalInjection, DrawsTheReflectionWhenItIsTheOwnGoal) {
+TEST(GoalInjection, DrawsTheReflectionWhenTheOwnGoalIsSeen) {
   const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
   const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
@@ -59,7 +59,7 @@ TEST(GoalInjection, DrawsTheReflectionWhenItIsTheOwnGoal) {
   EXPECT_LT((pose->position + kRobot.position).norm(), 0.5);
 }
 
-TEST(GoalInjection, DrawsBothReflectionsEquallyOftenWhileTheGoalIsUnknown) {
+TEST(GoalInjection, DrawsPoseAndReflectionEquallyOftenWhileTheGoalIsUnknown) {
   const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
   const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
@@ -74,7 +74,7 @@ TEST(GoalInjection, DrawsBothReflectionsEquallyOftenWhileTheGoalIsUnknown) {
   EXPECT_NEAR(at_truth, 500, 60);
 }
 
-TEST(GoalInjection, PutsTheRobotAtTheMeasuredDistanceFromASinglePost) {
+TEST(GoalInjection, DrawsPosesAtTheMeasuredDistanceFromASinglePost) {
   const Scene scene(kRobot, false);
   GoalInjection injection{FieldDimensions()};
   const auto goal = injection.find_goal(scene.percept, scene.model, kParameters);
@@ -90,19 +90,19 @@ TEST(GoalInjection, PutsTheRobotAtTheMeasuredDistanceFromASinglePost) {
   }
 }
 
-TEST(GoalInjection, AsksForLinesBesideASinglePost) {
+TEST(GoalInjection, NeedsLinePointsBesideASinglePost) {
   const Scene scene(kRobot, false);
   const GoalInjection injection{FieldDimensions()};
   EXPECT_FALSE(injection.find_goal(scene.percept, kNothingObserved, kParameters));
 }
 
-TEST(GoalInjection, DoesNotBuildOnASinglePostWhoseBaseIsHidden) {
+TEST(GoalInjection, IgnoresASinglePostWhoseBaseIsHidden) {
   FieldPercept percept;
   percept.goal_posts.push_back(post_at(kRobot, {4.5, 0.8}, false));
   EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, Scene(kRobot).model, kParameters));
 }
 
-TEST(GoalInjection, TellsLeftFromRightInWhateverOrderThePostsCome) {
+TEST(GoalInjection, DistinguishesLeftFromRightInAnyOrderOfThePosts) {
   const Scene scene(kRobot);
   FieldPercept swapped = scene.percept;
   std::swap(swapped.goal_posts[0], swapped.goal_posts[1]);
@@ -111,7 +111,7 @@ TEST(GoalInjection, TellsLeftFromRightInWhateverOrderThePostsCome) {
             injection.find_goal(swapped, kNothingObserved, kParameters)->left);
 }
 
-TEST(GoalInjection, PicksTheTwoPostsThatAreAGoalApart) {
+TEST(GoalInjection, SelectsTheTwoPostsWithTheDistanceOfAGoal) {
   Scene scene(kRobot);
   scene.percept.goal_posts.insert(scene.percept.goal_posts.begin(), post_at(kRobot, {3.0, 2.1}));
   const auto goal = GoalInjection{FieldDimensions()}.find_goal(scene.percept, kNothingObserved, kParameters);
@@ -128,7 +128,7 @@ TEST(GoalInjection, FindsNoGoalAmongPostsThatAreNotFiniteOrFarAway) {
   EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, Scene(kRobot).model, kParameters));
 }
 
-TEST(GoalInjection, UsesPostsAsFarAsTheyAreUsedToWeighPoses) {
+TEST(GoalInjection, UsesPostsUpToTheLargestDistanceOfTheModel) {
   FieldPercept percept;
   percept.goal_posts = {goal_post({11.0, 0.8}), goal_post({11.0, -0.8})};
   EXPECT_FALSE(GoalInjection{FieldDimensions()}.find_goal(percept, kNothingObserved, kParameters));
@@ -141,13 +141,13 @@ TEST(GoalInjection, UsesPostsAsFarAsTheyAreUsedToWeighPoses) {
 RC_GTEST_PROP(GoalInjection, DrawsOnlyFinitePosesOnTheCarpet, ()) {
   static const Scene scene(kRobot);
   GoalInjection injection{FieldDimensions()};
-  const auto metres = [] { return *rc::gen::inRange(-7000, 7000) * 1e-3; };
+  const auto any_meters = [] { return *rc::gen::inRange(-7000, 7000) * 1e-3; };
   GoalSighting goal;
-  goal.left.x() = metres();
-  goal.left.y() = metres();
+  goal.left.x() = any_meters();
+  goal.left.y() = any_meters();
   RC_PRE(goal.left.norm() > 0.1);
   if (*rc::gen::arbitrary<bool>()) {
-    const double turn = metres();
+    const double turn = any_meters();
     goal.right = goal.left + 1.6 * Eigen::Vector2d(std::cos(turn), std::sin(turn));
     RC_PRE(goal.right->norm() > 0.1);
   }

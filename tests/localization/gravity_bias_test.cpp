@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the accelerometer says of the torso's attitude.
+// The error of the torso's attitude, estimated with the accelerometer.
 #include "localization/tracking/gravity_bias.h"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPeriod = 0.03;  // s
 
-/// A robot that walks, and whose inertial unit measures `bias` less than is true. Keeps what it is told of that.
+/// A walking robot whose inertial unit measures angles that are too small by `bias`. Stores the estimate of this bias.
 struct Walk {
   void walk(double seconds, const TiltBias& bias) {
     for (const double end = time + seconds; time < end; time += kPeriod) {
@@ -25,29 +25,29 @@ struct Walk {
       const auto bias_now =
           gravity.feel(kGravity * up_in_torso(truth) + shock, {truth.roll - bias.roll, truth.pitch - bias.pitch}, time);
       if (!bias_now) continue;
-      told = *bias_now;
+      estimate = *bias_now;
       ++times;
     }
   }
   GravityBias gravity;
   Random random{3};
   double time = 0.0;
-  TiltBias told;
+  TiltBias estimate;
   int times = 0;
 };
 
-TEST(GravityBias, IsToldOnceAfterSomeSecondsOfWalking) {
+TEST(GravityBias, IsReportedOnceAfterSomeSecondsOfWalking) {
   Walk walk;
   const TiltBias bias{-0.03, 0.087};
   walk.walk(2.5, bias);
   EXPECT_EQ(walk.times, 0);
   walk.walk(60.0, bias);
   EXPECT_EQ(walk.times, 1);
-  EXPECT_NEAR(walk.told.roll, bias.roll, 0.03);
-  EXPECT_NEAR(walk.told.pitch, bias.pitch, 0.03);
+  EXPECT_NEAR(walk.estimate.roll, bias.roll, 0.03);
+  EXPECT_NEAR(walk.estimate.pitch, bias.pitch, 0.03);
 }
 
-TEST(GravityBias, CountsFromAnewAfterTheRobotHasLostItsFeet) {
+TEST(GravityBias, StartsAgainAfterTheRobotWasNotOnItsFeet) {
   Walk walk;
   walk.walk(2.5, {0.3, 0.3});
   walk.gravity.interrupt();
@@ -55,39 +55,39 @@ TEST(GravityBias, CountsFromAnewAfterTheRobotHasLostItsFeet) {
   EXPECT_EQ(walk.times, 0);
   walk.walk(2.0, {});
   EXPECT_EQ(walk.times, 1);
-  EXPECT_NEAR(walk.told.pitch, 0.0, 0.03) << "what was felt before does not count";
+  EXPECT_NEAR(walk.estimate.pitch, 0.0, 0.03) << "earlier samples do not count";
 }
 
-TEST(GravityBias, IsNothingWithoutAnAccelerometerOrWithNonsense) {
+TEST(GravityBias, IsNotReportedWithoutAnAccelerometerOrFromInvalidValues) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   GravityBias gravity;
   double time = 0.0;
-  for (const Eigen::Vector3d& said :
+  for (const Eigen::Vector3d& acceleration :
        {Eigen::Vector3d(0.0, 0.0, 9.81), Eigen::Vector3d(nan, 0.0, 9.81), Eigen::Vector3d(infinite, 0.0, 0.0),
         Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(30.0, 1.0, 9.81)}) {
-    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(gravity.feel(said, {0.0, 0.1}, time += kPeriod));
+    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(gravity.feel(acceleration, {0.0, 0.1}, time += kPeriod));
   }
   for (int i = 0; i < 1000; ++i) {
     EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {nan, 0.0}, time += kPeriod));
-    EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {2.0, 0.0}, time += kPeriod)) << "it lies";
+    EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {2.0, 0.0}, time += kPeriod)) << "the robot lies";
     EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {0.0, 0.0}, nan));
   }
 }
 
-TEST(GravityBias, IsWeighedAgainstWhatIsUsualAndGivesWayToNothing) {
+TEST(GravityBias, IsWeighedAgainstTheUsualBiasAndKeptWhenThePoseIsLost) {
   const TiltBias five_degrees{0.0, from_degrees(-5.0)};
   PoseTracker tracker({}, FieldDimensions());
   const double before = tracker.bias().deviation;
   tracker.take_gravity(five_degrees);
-  // 3 degrees are usual, gravity is known to 1.5: four fifths of what it says.
+  // Deviations of 3 degrees (usual bias) and 1.5 degrees (gravity): four fifths of the measured bias.
   EXPECT_NEAR(to_degrees(tracker.bias().torso.pitch), -4.0, 1e-9);
   EXPECT_LT(tracker.bias().deviation, before);
   tracker.let_go();
-  EXPECT_NEAR(to_degrees(tracker.bias().torso.pitch), -4.0, 1e-9) << "a lost place does not change gravity";
+  EXPECT_NEAR(to_degrees(tracker.bias().torso.pitch), -4.0, 1e-9) << "gravity does not depend on the pose";
 
-  PoseTrackerParameters deaf;
-  deaf.gravity_deviation = 0.0;
-  PoseTracker other(deaf, FieldDimensions());
+  PoseTrackerParameters without_gravity;
+  without_gravity.gravity_deviation = 0.0;
+  PoseTracker other(without_gravity, FieldDimensions());
   other.take_gravity(five_degrees);
   EXPECT_EQ(other.bias().torso.pitch, 0.0);
 }

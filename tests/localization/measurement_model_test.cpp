@@ -29,7 +29,7 @@ std::vector<float> costs_of(const MeasurementModel& model, const std::vector<Pos
   return costs;
 }
 
-RC_GTEST_PROP(MeasurementModel, WeighsAParticleAndItsReflectionBitForBitAlike, ()) {
+RC_GTEST_PROP(MeasurementModel, WeighsAParticleAndItsReflectionExactlyTheSame, ()) {
   MeasurementModel& model = spl_model();
   model.observe(any_percept());
   ParticleSet particles = any_particles();
@@ -41,7 +41,7 @@ RC_GTEST_PROP(MeasurementModel, WeighsAParticleAndItsReflectionBitForBitAlike, (
   RC_ASSERT(costs == reflected_costs);
 }
 
-RC_GTEST_PROP(MeasurementModel, CostsAreFiniteAndWithinTheirLimits, ()) {
+RC_GTEST_PROP(MeasurementModel, GivesFiniteCostsWithinTheirLimits, ()) {
   MeasurementModel& model = spl_model();
   const MeasurementModelParameters p;
   model.observe(any_percept());
@@ -51,7 +51,7 @@ RC_GTEST_PROP(MeasurementModel, CostsAreFiniteAndWithinTheirLimits, ()) {
   for (const float cost : costs) RC_ASSERT(cost >= 0.0f && static_cast<double>(cost) <= limit * 1.0001);
 }
 
-RC_GTEST_PROP(MeasurementModel, ExactPerceptsCostTheTruePoseNextToNothing, ()) {
+RC_GTEST_PROP(MeasurementModel, GivesTheTruePoseNearlyNoCostForExactPercepts, ()) {
   const Pose2 truth = any_pose_on_carpet();
   SyntheticField field(FieldDimensions(), {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 1);
   MeasurementModel& model = spl_model();
@@ -69,7 +69,7 @@ TEST(MeasurementModel, PrefersTheTruePoseToPosesBesideIt) {
   for (std::size_t i = 1; i < costs.size(); ++i) EXPECT_GT(costs[i], costs[0] + 1.0f) << i;
 }
 
-TEST(MeasurementModel, TakesAGoalPostForAnyOfTheFour) {
+TEST(MeasurementModel, MatchesAGoalPostWithAnyOfTheFour) {
   MeasurementModel model{FieldDimensions(), MeasurementModelParameters()};
   FieldPercept percept;
   percept.goal_posts.push_back(goal_post({2.0, 0.0}));
@@ -90,7 +90,7 @@ TEST(MeasurementModel, TrustsTheBearingButHardlyTheDistanceOfAPostWhoseBaseIsHid
   EXPECT_GT(costs[1], 2.0f);
 }
 
-TEST(MeasurementModel, LeavesOutWhatIsNotFiniteTooNearOrTooFar) {
+TEST(MeasurementModel, IgnoresPerceptsThatAreNotFiniteTooNearOrTooFar) {
   MeasurementModel model{FieldDimensions(), MeasurementModelParameters()};
   FieldPercept percept;
   for (const Eigen::Vector2d& position :
@@ -107,7 +107,7 @@ TEST(MeasurementModel, LeavesOutWhatIsNotFiniteTooNearOrTooFar) {
   EXPECT_EQ(costs_of(model, {Pose2()})[0], 0.0f);
 }
 
-RC_GTEST_PROP(MeasurementModel, UsesAsManyLinePointsAsAllowedSpreadOverAllOfThem, ()) {
+RC_GTEST_PROP(MeasurementModel, UsesAsManyLinePointsAsTheParameterAllows, ()) {
   const int given = *rc::gen::inRange(0, 300);
   MeasurementModelParameters parameters;
   parameters.line_points = *rc::gen::inRange(1, 200);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(MeasurementModel, UsesAsManyLinePointsAsAllowedSpreadOverAllOfThem
   RC_ASSERT(model.line_points() == static_cast<std::size_t>(std::min(given, parameters.line_points)));
 }
 
-TEST(MeasurementModel, TakesNoMoreThanFourGoalPosts) {
+TEST(MeasurementModel, UsesAtMostFourGoalPosts) {
   MeasurementModel model{FieldDimensions(), MeasurementModelParameters()};
   FieldPercept percept;
   percept.goal_posts.assign(50, goal_post({2.0, 0.0}));

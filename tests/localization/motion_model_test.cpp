@@ -20,7 +20,7 @@ struct Spread {
   double rotation = 0.0;  ///< rad
 };
 
-/// Standard deviations after one second in which the robot walked and turned so much, in steps of `time_step`.
+/// Standard deviations after one second with this motion, in equal steps.
 Spread spread_after_a_second(const Pose2& motion, int steps) {
   ParticleSet particles(4000);
   Random random(3);
@@ -54,7 +54,7 @@ RC_GTEST_PROP(MotionModel, WithoutNoiseMovesEachParticleByTheOdometryStep, ()) {
   RC_ASSERT(std::abs(static_cast<double>(particles.sine[1]) - std::sin(expected.rotation)) < 1e-6);
 }
 
-TEST(MotionModel, SpreadsByTheWayAndTheTurnWhateverTheFrameRate) {
+TEST(MotionModel, SpreadsByDistanceAndRotationIndependentOfTheFrameRate) {
   const MotionModelParameters p;
   for (const int steps : {10, 100}) {
     const Spread standing = spread_after_a_second(Pose2(), steps);
@@ -67,7 +67,7 @@ TEST(MotionModel, SpreadsByTheWayAndTheTurnWhateverTheFrameRate) {
   }
 }
 
-TEST(MotionModel, KeepsParticlesWithinAMetreOfTheCarpet) {
+TEST(MotionModel, KeepsParticlesWithinAMeterOfTheCarpet) {
   ParticleSet particles(100);
   Random random(1);
   predict(particles, {7.0, -7.0, 0.0}, 1.0, MotionModelParameters(), kHalfSize, random);
@@ -77,7 +77,7 @@ TEST(MotionModel, KeepsParticlesWithinAMetreOfTheCarpet) {
   }
 }
 
-TEST(MotionModel, TakesAStepThatIsNotFiniteOrImpossiblyLongAsNone) {
+TEST(MotionModel, IgnoresAStepThatIsNotFiniteOrImpossiblyLong) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const Pose2& step : {Pose2(kNaN, 0.0, 0.0), Pose2(0.0, infinity, 0.0), Pose2(0.0, 0.0, kNaN),
                             Pose2(1e300, 0.0, 0.0), Pose2(0.0, -11.0, 0.0)}) {

@@ -20,7 +20,7 @@ double weighted_x(const ParticleSet& particles) {
   return std::inner_product(particles.x.begin(), particles.x.end(), particles.weight.begin(), 0.0);
 }
 
-RC_GTEST_PROP(ParticleSet, KeepsThePoseThatItIsGiven, ()) {
+RC_GTEST_PROP(ParticleSet, StoresAPose, ()) {
   const Pose2 pose = any_pose_on_carpet();
   ParticleSet particles(3);
   particles.set_pose(1, pose);
@@ -29,14 +29,14 @@ RC_GTEST_PROP(ParticleSet, KeepsThePoseThatItIsGiven, ()) {
   RC_ASSERT(std::abs(static_cast<double>(particles.cosine[1]) - std::cos(pose.rotation)) < 1e-6);
 }
 
-RC_GTEST_PROP(ParticleSet, WeighsOneInAllOnceNormalized, ()) {
+RC_GTEST_PROP(ParticleSet, HasWeightsWithTheSumOneAfterNormalization, ()) {
   ParticleSet particles = any_particles();
   for (float& weight : particles.weight) weight *= 1e-20f;
   normalize_weights(particles);
   RC_ASSERT(std::abs(sum_of_weights(particles) - 1.0) < 1e-4);
 }
 
-TEST(ParticleSet, FallsBackToEqualWeightsWhenTheyAreOfNoUse) {
+TEST(ParticleSet, FallsBackToEqualWeightsWhenTheWeightsAreInvalid) {
   for (const float useless : {0.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     ParticleSet particles(4);
     particles.weight.assign(4, useless);
@@ -53,7 +53,7 @@ TEST(ParticleSet, HasAsManyEffectiveSamplesAsParticlesOfEqualWeight) {
   EXPECT_NEAR(effective_sample_size(particles), 1.0, 1e-6);
 }
 
-RC_GTEST_PROP(ParticleSet, ResamplingCopiesEachParticleAsOftenAsItsWeightAsksWithinOne, ()) {
+RC_GTEST_PROP(ParticleSet, ResamplingCopiesEachParticleInProportionToItsWeightWithinOne, ()) {
   const ParticleSet from = any_particles();
   ParticleSet to(static_cast<std::size_t>(*rc::gen::inRange(1, 100)));
   resample_systematic(from, to, *rc::gen::inRange(0, 1000) * 1e-3);
@@ -79,7 +79,7 @@ RC_GTEST_PROP(ParticleSet, ResamplingKeepsTheMeanOnAverage, ()) {
 TEST(ParticleSet, ResamplingNeverCopiesAParticleWithoutWeight) {
   ParticleSet from(5);
   for (std::size_t i = 0; i < 5; ++i) from.set_pose(i, {static_cast<double>(i), 0.0, 0.0});
-  from.weight = {0.0f, 0.4999f, 0.0f, 0.4999f, 0.0f};  // rounding left them short of 1
+  from.weight = {0.0f, 0.4999f, 0.0f, 0.4999f, 0.0f};  // a sum slightly below 1, as after rounding
   ParticleSet to(100);
   resample_systematic(from, to, 0.9999);
   for (const float x : to.x) EXPECT_TRUE(x == 1.0f || x == 3.0f) << x;

@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-/// `first` particles about one pose, the others of `count` about another.
+/// `count` particles: the first `first` ones around `a`, the others around `b`.
 ParticleSet two_clusters(const Pose2& a, const Pose2& b, std::size_t first, std::size_t count) {
   ParticleSet particles(count);
   Random random(5);
@@ -49,7 +49,7 @@ TEST(PoseClusters, StaysWithTheLighterOfTwoUntilTheOtherClearlyLeads) {
       is_near(clusters.find(two_clusters(pose, reflect(pose), 70, 200), believed(pose), {}).pose, reflect(pose)));
 }
 
-TEST(PoseClusters, SeparatesTwoRotationsAtOnePlace) {
+TEST(PoseClusters, SeparatesTwoRotationsAtOnePosition) {
   const Pose2 pose(0.0, 0.0, 0.0);
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(two_clusters(pose, reflect(pose), 60, 200), believed(pose), {});
@@ -66,7 +66,7 @@ TEST(PoseClusters, MeasuresTheSpreadOfItsParticles) {
   EXPECT_NEAR(std::sqrt(belief.covariance(2, 2)), 0.05, 0.005);
 }
 
-TEST(PoseClusters, CountsWeightsNotHeads) {
+TEST(PoseClusters, CountsWeightsInsteadOfParticles) {
   const Pose2 pose(-2.0, 1.0, 0.3);
   ParticleSet particles = two_clusters(pose, reflect(pose), 20, 200);
   for (std::size_t i = 0; i < 20; ++i) particles.weight[i] *= 81.0f;
@@ -77,7 +77,7 @@ TEST(PoseClusters, CountsWeightsNotHeads) {
   EXPECT_NEAR(belief.cluster_weight, 0.9, 0.01);
 }
 
-RC_GTEST_PROP(PoseClusters, FindsSomethingFiniteInWhateverParticles, ()) {
+RC_GTEST_PROP(PoseClusters, FindsAFiniteBeliefInAnyParticles, ()) {
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief belief = clusters.find(any_particles(), believed(any_pose_on_carpet()), {});
   RC_ASSERT(belief.pose.position.allFinite());

@@ -31,7 +31,7 @@ bool near(const Pose2& a, const Pose2& b) {
   return (a.position - b.position).norm() < 0.15 && std::abs(angle_difference(a.rotation, b.rotation)) < 0.1;
 }
 
-/// A percept whose numbers may be anything that memory can hold.
+/// A percept with any numbers, also infinite ones and NaN.
 FieldPercept any_hostile_percept() {
   const auto number = [] {
     return *rc::gen::oneOf(rc::gen::element(kNaN, kInfinity, -kInfinity, 0.0, 1e-300, -1e300),
@@ -50,7 +50,7 @@ FieldPercept any_hostile_percept() {
   return percept;
 }
 
-TEST(PoseFilter, BelievesWhatItIsToldAtTheStart) {
+TEST(PoseFilter, BelievesTheInitialPose) {
   PoseFilter filter = spl_filter();
   const Pose2 start(-3.2, -3.5, kPi / 2.0);
   filter.set_initial_pose(start, 0.1, 0.05);
@@ -59,7 +59,7 @@ TEST(PoseFilter, BelievesWhatItIsToldAtTheStart) {
   EXPECT_EQ(filter.belief().reflected_weight, 0.0);
 }
 
-TEST(PoseFilter, StartsAnywhereWithParticlesAllOverTheCarpet) {
+TEST(PoseFilter, StartsWithParticlesAllOverTheCarpet) {
   const PoseFilter filter = spl_filter();
   std::set<std::pair<int, int>> squares;
   for (std::size_t i = 0; i < filter.particles().size(); ++i) {
@@ -72,7 +72,7 @@ TEST(PoseFilter, StartsAnywhereWithParticlesAllOverTheCarpet) {
   EXPECT_LT(filter.belief().cluster_weight, 0.3);
 }
 
-TEST(PoseFilter, StartsAnywhereWhenItIsToldNonsense) {
+TEST(PoseFilter, StartsAnywhereWhenTheInitialPoseIsInvalid) {
   PoseFilter filter = spl_filter();
   filter.set_initial_pose({kNaN, 0.0, 0.0}, 0.1, 0.1);
   filter.set_initial_pose({0.0, 0.0, 0.0}, kInfinity, 0.1);
@@ -80,7 +80,7 @@ TEST(PoseFilter, StartsAnywhereWhenItIsToldNonsense) {
   EXPECT_LT(filter.belief().cluster_weight, 0.3);
 }
 
-TEST(PoseFilter, FollowsTheOdometryWhereNothingIsSeen) {
+TEST(PoseFilter, FollowsTheOdometryWhileNothingIsSeen) {
   PoseFilter filter = spl_filter();
   filter.set_initial_pose({-2.0, 0.0, 0.0}, 0.01, 0.01);
   for (int i = 0; i < 30; ++i) {
@@ -99,14 +99,14 @@ TEST(PoseFilter, FlipsParticlesAndBeliefWithinTheCall) {
   filter.flip_pose();
   EXPECT_TRUE(near(filter.belief().pose, reflect(start)));
   EXPECT_EQ(filter.belief().cluster_weight, before.cluster_weight);
-  // The reflected belief is the one that would be found in the reflected particles.
+  // A new search in the reflected particles finds the same belief.
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief found = clusters.find(filter.particles(), filter.belief(), {});
   EXPECT_TRUE(found.covariance.isApprox(filter.belief().covariance, 1e-3));
   EXPECT_TRUE(near(found.pose, filter.belief().pose));
 }
 
-TEST(PoseFilter, FlippedTwiceIsAsBefore) {
+TEST(PoseFilter, IsUnchangedAfterTwoFlips) {
   PoseFilter filter = spl_filter();
   filter.set_initial_pose({-3.2, 1.0, 0.5}, 0.5, 0.5);
   const std::vector<float> before = state_of(filter);
@@ -122,7 +122,7 @@ TEST(PoseFilter, PurgesTheReflectionWithinTheCall) {
   PoseFilter filter = spl_filter();
   filter.set_initial_pose({-3.2, 1.0, 0.5}, 0.1, 0.05);
   InjectionParameters strong;
-  // A known goal seen from the reflection makes a second cluster.
+  // A known goal that contradicts the belief creates a second cluster.
   PoseFilterParameters parameters;
   parameters.injection.known_goal_rate = 0.3;
   filter.set_parameters(parameters);
@@ -145,7 +145,7 @@ TEST(PoseFilter, ForgetsTheRotationButNotThePositionOnAReset) {
   EXPECT_LT(filter.belief().cluster_weight, 0.5);
 }
 
-RC_GTEST_PROP(PoseFilter, StaysFiniteWhateverItIsGiven, ()) {
+RC_GTEST_PROP(PoseFilter, StaysFiniteWithAnyInput, ()) {
   PoseFilter filter = spl_filter();
   for (int frame = *rc::gen::inRange(1, 20); frame > 0; --frame) {
     const double extreme = *rc::gen::element(kNaN, kInfinity, -kInfinity, 1e300, 0.0, 0.01);
@@ -159,7 +159,7 @@ RC_GTEST_PROP(PoseFilter, StaysFiniteWhateverItIsGiven, ()) {
   RC_ASSERT((belief.pose.position.cwiseAbs().array() <= limit.array() + 1e-6).all());
 }
 
-TEST(PoseFilter, DoesTheSameAgainWithTheSameSeedAndSomethingElseWithAnother) {
+TEST(PoseFilter, RepeatsARunWithTheSameSeedOnly) {
   const auto run = [](std::uint64_t seed) {
     PoseFilter filter = spl_filter(seed);
     filter.set_initial_pose({-3.2, 0.0, 0.0}, 0.2, 0.1);
@@ -173,7 +173,7 @@ TEST(PoseFilter, DoesTheSameAgainWithTheSameSeedAndSomethingElseWithAnother) {
   EXPECT_NE(run(3), run(4));
 }
 
-TEST(PoseFilter, TakesAnotherNumberOfParticlesWhileItRuns) {
+TEST(PoseFilter, ChangesItsNumberOfParticlesWhileItRuns) {
   PoseFilter filter = spl_filter();
   const Pose2 start(1.0, 1.0, 1.0);
   filter.set_initial_pose(start, 0.1, 0.05);
@@ -188,7 +188,7 @@ TEST(PoseFilter, TakesAnotherNumberOfParticlesWhileItRuns) {
   }
 }
 
-TEST(PoseFilter, IsNotLostForOneBadFrameAfterALongTimeWithoutAny) {
+TEST(PoseFilter, IsNotLostAfterOneBadFrameThatFollowsALongGap) {
   PoseFilter filter = spl_filter();
   const Pose2 start(-3.2, 0.0, 0.0);
   filter.set_initial_pose(start, 0.1, 0.05);
@@ -202,9 +202,9 @@ TEST(PoseFilter, IsNotLostForOneBadFrameAfterALongTimeWithoutAny) {
   EXPECT_GT(filter.recovery().recovery_probability(InjectionParameters().lost_margin), 0.0);
 }
 
-TEST(PoseFilter, IsLostAfterItHasLookedForLongAndSeenNothing) {
+TEST(PoseFilter, IsLostAfterItHasSeenNothingForLong) {
   PoseFilter filter = spl_filter();
-  filter.see_nothing(30.0);  // before anything was seen nothing is usual
+  filter.see_nothing(30.0);  // has no effect before the first fit
   const Pose2 start(-3.2, 0.0, 0.0);
   filter.set_initial_pose(start, 0.1, 0.05);
   SyntheticRobot robot(filter, start, 1);
@@ -217,7 +217,7 @@ TEST(PoseFilter, IsLostAfterItHasLookedForLongAndSeenNothing) {
   EXPECT_EQ(probability(), 0.0);
   see_nothing_for(12.0);
   EXPECT_GT(probability(), 0.3);
-  robot.stand_for(3.0);  // it was right all the while
+  robot.stand_for(3.0);  // the belief was correct the whole time
   EXPECT_EQ(probability(), 0.0);
   EXPECT_TRUE(robot.believes_truth());
 }
@@ -230,7 +230,7 @@ TEST(PoseFilter, InjectsNothingWhenInjectionIsSwitchedOff) {
   const Pose2 believed(-2.0, 1.0, kPi);
   filter.set_initial_pose(believed, 0.1, 0.05);
   SyntheticRobot robot(filter, believed, 1);
-  robot.stand_for(5.0, SeenGoal::opponent);  // which it is not: injected particles would be at the reflection
+  robot.stand_for(5.0, SeenGoal::opponent);  // wrong: injected particles would be at the reflection
   EXPECT_EQ(filter.belief().reflected_weight, 0.0);
 }
 
@@ -242,7 +242,7 @@ TEST(PoseFilter, AppendsFourNumbersAndOnePoseForEachParticle) {
   EXPECT_EQ(state_of(filter).size(), 4 * filter.particles().size());
 }
 
-/// Stands in for the engine's registry: collects names, and checks that defaults lie within their ranges.
+/// Replaces the engine's registry: collects names, and checks that defaults are within their ranges.
 struct Registry {
   std::set<std::string>& names;
   template <typename Number>

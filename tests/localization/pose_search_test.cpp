@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot that does not know its pose, and whose camera looks elsewhere than it believes.
+// A robot that does not know its pose, with an unknown error of its camera's angles.
 #include "localization/search/pose_search.h"
 
 #include <vector>
@@ -62,12 +62,12 @@ TEST_P(PoseSearchFrom, AnywhereFindsPoseAndTilt) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, PoseSearchFrom, testing::Range<std::uint64_t>(1, 13));
 
-TEST(PoseSearch, FindsNothingWhereALineAloneIsSeen) {
-  Searching robot({}, Pose2(0.0, 2.9, kPi / 2.0), 1);  // before the touchline, and looks out of the field
+TEST(PoseSearch, FindsNothingFromASingleLine) {
+  Searching robot({}, Pose2(0.0, 2.9, kPi / 2.0), 1);  // in front of the touchline, looking out of the field
   EXPECT_FALSE(robot.within(3.0));
 }
 
-TEST(PoseSearch, FindsTheNewPlaceOnceTheOldOneIsForgotten) {
+TEST(PoseSearch, FindsTheNewPoseAfterOldSightingsAreDeleted) {
   Searching robot({}, Pose2(-2.0, 1.0, 0.0), 1);
   ASSERT_TRUE(robot.within(8.0));
   robot.robot = Pose2(1.5, -1.5, 2.0);
@@ -79,7 +79,7 @@ TEST(PoseSearch, FindsTheNewPlaceOnceTheOldOneIsForgotten) {
   EXPECT_NEAR(std::abs(pose.position.y()), 1.5, 0.3);
 }
 
-TEST(PoseSearch, GoesOnFromItsBytes) {
+TEST(PoseSearch, ContinuesFromItsSavedState) {
   Searching robot({}, Pose2(-2.0, 1.0, 0.0), 1);
   for (int i = 0; i < 20; ++i) robot.frame();
   std::vector<std::byte> bytes;
@@ -96,7 +96,7 @@ TEST(PoseSearch, GoesOnFromItsBytes) {
   EXPECT_EQ(a->cost, b->cost);
 }
 
-TEST(PoseSearch, SaysNothingOfWhatIsNoNumber) {
+TEST(PoseSearch, FindsNothingFromValuesThatAreNotFinite) {
   const FieldMap map{FieldDimensions()};
   PoseSearch search({}, FieldDimensions(), 1);
   FieldPercept percept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One hypothesis and the camera's wrong angles, followed together.
+// Tracks one hypothesis together with the errors of the camera's angles.
 #include "localization/tracking/pose_tracker.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ PoseBelief belief_at(const Pose2& pose) {
   return belief;
 }
 
-/// A robot that stands and scans. The pose filter believes what the tracker does.
+/// A robot that stands and moves its head. The pose filter's belief is the tracker's.
 struct Scanning {
   Scanning(const CameraBias& truth, std::uint64_t seed) : camera(truth, 0.7, seed), tracker({}, FieldDimensions()) {}
 
@@ -43,7 +43,7 @@ struct Scanning {
     for (const double end = time + seconds; time < end;) frame();
   }
   double position_error() const { return (tracker.belief(belief_at(robot)).pose.position - robot.position).norm(); }
-  /// rad, of the sum of the biases where the camera looks straight ahead.
+  /// rad, error of the sum of the biases while the camera looks straight ahead.
   double pitch_error(const CameraBias& truth) const {
     const CameraBias known = tracker.bias();
     return std::abs(known.torso.pitch + known.mounts[0].pitch - truth.torso.pitch - truth.mounts[0].pitch);
@@ -64,7 +64,7 @@ CameraBias bias_of_degrees(double torso_roll, double torso_pitch, double mount_r
 
 class PoseTrackerOfABias : public testing::TestWithParam<std::array<double, 4>> {};
 
-TEST_P(PoseTrackerOfABias, LearnsItAndKeepsThePose) {
+TEST_P(PoseTrackerOfABias, LearnsItAndTracksThePose) {
   const auto [torso_roll, torso_pitch, mount_roll, mount_pitch] = GetParam();
   const CameraBias truth = bias_of_degrees(torso_roll, torso_pitch, mount_roll, mount_pitch);
   Scanning scanning(truth, 1);
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(All, PoseTrackerOfABias,
                                          std::array{0.0, 0.0, 0.0, -3.0}, std::array{2.0, 0.0, 0.0, 0.0},
                                          std::array{-2.0, 2.0, 1.0, 1.5}, std::array{0.0, 5.0, 0.0, 0.0}));
 
-TEST(PoseTracker, StatesADeviationThatContainsTheTruth) {
+TEST(PoseTracker, ReportsADeviationThatContainsTheTruth) {
   double squares = 0.0, largest = 0.0;
   int frames = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -102,11 +102,11 @@ TEST(PoseTracker, StatesADeviationThatContainsTheTruth) {
   }
   const double normalized = squares / frames / 3.0;
   EXPECT_LT(normalized, 1.5);
-  // The images of this test do not share errors, as those of a robot do: so it states more than there is.
+  // The images of this test do not share errors, unlike those of a robot, so the deviation is too large.
   EXPECT_LT(largest, 0.1) << "m";
 }
 
-TEST(PoseTracker, FollowsNothingBeforeItIsTold) {
+TEST(PoseTracker, TracksNothingBeforeItIsAttached) {
   Scanning scanning({}, 1);
   scanning.scan(3.0);
   EXPECT_FALSE(scanning.tracker.is_attached());
@@ -114,7 +114,7 @@ TEST(PoseTracker, FollowsNothingBeforeItIsTold) {
   EXPECT_EQ(scanning.tracker.belief(belief_at(elsewhere)).pose.position, elsewhere.position);
 }
 
-TEST(PoseTracker, LetsGoOfAPoseThatIsWrongAndForgetsWhatItLearnedThere) {
+TEST(PoseTracker, StopsTrackingAWrongPoseAndForgetsTheBiasLearnedThere) {
   Scanning scanning({}, 1);
   scanning.tracker.attach(belief_at(Pose2(1.2, -1.7, 2.2)));
   scanning.scan(6.0);
@@ -123,7 +123,7 @@ TEST(PoseTracker, LetsGoOfAPoseThatIsWrongAndForgetsWhatItLearnedThere) {
   EXPECT_EQ(scanning.tracker.bias().mounts[0].pitch, 0.0);
 }
 
-TEST(PoseTracker, LetsGoWhereThePoseFilterBelievesAnotherPose) {
+TEST(PoseTracker, StopsTrackingWhenThePoseFilterBelievesAnotherPose) {
   Scanning scanning({}, 1);
   scanning.tracker.attach(belief_at(kStandsAt));
   scanning.scan(2.0);
@@ -135,7 +135,7 @@ TEST(PoseTracker, LetsGoWhereThePoseFilterBelievesAnotherPose) {
   EXPECT_FALSE(scanning.tracker.is_attached());
 }
 
-TEST(PoseTracker, KeepsWhatItKnewOfTheAnglesThroughAFall) {
+TEST(PoseTracker, KeepsTheLearnedBiasAfterAFall) {
   const CameraBias truth = bias_of_degrees(0.0, 3.0, 0.0, 0.0);
   Scanning scanning(truth, 1);
   scanning.tracker.attach(belief_at(kStandsAt));
@@ -147,7 +147,7 @@ TEST(PoseTracker, KeepsWhatItKnewOfTheAnglesThroughAFall) {
   EXPECT_EQ(scanning.tracker.bias().torso.pitch, 0.0);
 }
 
-TEST(PoseTracker, FlippedTwiceIsTheSame) {
+TEST(PoseTracker, IsUnchangedAfterTwoFlips) {
   Scanning scanning(bias_of_degrees(0.0, 1.0, 0.0, 0.0), 1);
   scanning.tracker.attach(belief_at(kStandsAt));
   scanning.scan(3.0);
@@ -161,7 +161,7 @@ TEST(PoseTracker, FlippedTwiceIsTheSame) {
   EXPECT_NEAR(scanning.tracker.belief(belief_at(kStandsAt)).pose.rotation, before.pose.rotation, 1e-12);
 }
 
-TEST(PoseTracker, StaysFiniteWhateverItIsTold) {
+TEST(PoseTracker, StaysFiniteWithAnyInput) {
   const double kNan = std::numeric_limits<double>::quiet_NaN();
   PoseTracker tracker({}, FieldDimensions());
   tracker.attach(belief_at(kStandsAt));
@@ -181,7 +181,7 @@ TEST(PoseTracker, StaysFiniteWhateverItIsTold) {
   EXPECT_TRUE(belief.covariance.allFinite());
 }
 
-TEST(PoseTracker, GoesOnFromItsBytes) {
+TEST(PoseTracker, ContinuesFromItsSavedState) {
   Scanning scanning(bias_of_degrees(0.0, 1.0, 0.0, 0.0), 1);
   scanning.tracker.attach(belief_at(kStandsAt));
   scanning.scan(8.0);

@@ -17,7 +17,7 @@ TEST(RecoveryEstimator, IsNotLostBeforeItHasSeenAnything) {
   EXPECT_EQ(RecoveryEstimator().recovery_probability(0.6), 0.0);
 }
 
-TEST(RecoveryEstimator, GetsUsedToAPoorFitFromTheStart) {
+TEST(RecoveryEstimator, AcceptsAPoorFitFromTheStartAsUsual) {
   RecoveryEstimator estimator;
   feed(estimator, 0.2, 1.0);
   EXPECT_NEAR(estimator.slow(), 0.2, 1e-9);
@@ -32,7 +32,7 @@ TEST(RecoveryEstimator, IsLostSoonAfterTheFitDrops) {
   EXPECT_GT(estimator.recovery_probability(0.6), 0.4);
 }
 
-TEST(RecoveryEstimator, IsLostAtOnceAfterADoubtWhereNothingFits) {
+TEST(RecoveryEstimator, IsLostImmediatelyAfterADoubtWhenNothingFits) {
   RecoveryEstimator estimator;
   feed(estimator, 0.6, 10.0);
   estimator.doubt();
@@ -41,7 +41,7 @@ TEST(RecoveryEstimator, IsLostAtOnceAfterADoubtWhereNothingFits) {
   EXPECT_GT(estimator.recovery_probability(0.6), 0.4);
 }
 
-TEST(RecoveryEstimator, IsNotLostAfterADoubtWhereAllFitsAsBefore) {
+TEST(RecoveryEstimator, IsNotLostAfterADoubtWhenTheFitIsAsBefore) {
   RecoveryEstimator estimator;
   feed(estimator, 0.6, 10.0);
   estimator.doubt();
@@ -49,7 +49,7 @@ TEST(RecoveryEstimator, IsNotLostAfterADoubtWhereAllFitsAsBefore) {
   EXPECT_EQ(estimator.recovery_probability(0.6), 0.0);
 }
 
-TEST(RecoveryEstimator, OverlooksASingleBadFrame) {
+TEST(RecoveryEstimator, IgnoresASingleBadFrame) {
   RecoveryEstimator estimator;
   feed(estimator, 0.6, 10.0);
   estimator.update(0.0, 1.0 / 30.0, 60.0, 0.7);
@@ -71,7 +71,7 @@ TEST(RecoveryEstimator, IgnoresFramesBetweenWhichNoTimePasses) {
   EXPECT_EQ(estimator.slow(), 0.0);
 }
 
-TEST(RecoveryEstimator, IsNotReadFromWhatCannotBe) {
+TEST(RecoveryEstimator, RejectsInvalidValuesWhenRead) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {kNaN, -1.0, 2.0}) {
     std::vector<std::byte> bytes;

@@ -11,11 +11,11 @@
 namespace reorient {
 namespace {
 
-double radian_as_metre(const Pose2& a, const Pose2& b) {
+double radian_as_meter(const Pose2& a, const Pose2& b) {
   return std::hypot((a.position - b.position).norm(), angle_difference(a.rotation, b.rotation));
 }
 
-RC_GTEST_PROP(FlipPose, DoneTwiceIsExactlyTheIdentity, ()) {
+RC_GTEST_PROP(FlipPose, TwiceIsExactlyTheIdentity, ()) {
   const ParticleSet before = any_particles();
   ParticleSet particles = before;
   flip_pose(particles);
@@ -28,7 +28,7 @@ RC_GTEST_PROP(FlipPose, ReflectsEveryParticleAndLeavesItsWeight, ()) {
   ParticleSet particles = before;
   flip_pose(particles);
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    RC_ASSERT(radian_as_metre(particles.pose(i), reflect(before.pose(i))) < 1e-8);
+    RC_ASSERT(radian_as_meter(particles.pose(i), reflect(before.pose(i))) < 1e-8);
     RC_ASSERT(particles.cosine[i] == cosine(particles.rotation[i]));
     RC_ASSERT(particles.sine[i] == sine(particles.rotation[i]));
   }
@@ -45,7 +45,7 @@ RC_GTEST_PROP(PurgeReflection, LeavesOnlyCopiesOfParticlesNearerToTheBelief, ())
   RC_ASSERT(particles.size() == before.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Pose2 pose = particles.pose(i);
-    RC_ASSERT(radian_as_metre(pose, belief) <= radian_as_metre(pose, reflect(belief)) + 1e-6);
+    RC_ASSERT(radian_as_meter(pose, belief) <= radian_as_meter(pose, reflect(belief)) + 1e-6);
     RC_ASSERT(std::find(before.rotation.begin(), before.rotation.end(), particles.rotation[i]) !=
               before.rotation.end());
   }
@@ -62,7 +62,7 @@ RC_GTEST_PROP(PurgeReflection, ChangesNothingTheSecondTime, ()) {
   RC_ASSERT(same(particles, once));
 }
 
-TEST(PurgeReflection, DecidesByTheRotationAtTheCentreOfTheField) {
+TEST(PurgeReflection, DecidesByTheRotationAtTheCenterOfTheField) {
   ParticleSet particles(10);
   for (std::size_t i = 0; i < 10; ++i) particles.set_pose(i, {0.0, 0.0, i < 3 ? 0.1 : kPi});
   ParticleSet scratch(10);
@@ -71,7 +71,7 @@ TEST(PurgeReflection, DecidesByTheRotationAtTheCentreOfTheField) {
   for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(particles.pose(i).rotation, 0.1, 1e-6);
 }
 
-TEST(PurgeReflection, LeavesAllWhereNoneWouldBeLeft) {
+TEST(PurgeReflection, KeepsAllParticlesWhenNoneWouldRemain) {
   ParticleSet particles(10);
   for (std::size_t i = 0; i < 10; ++i) particles.set_pose(i, {2.0, 0.0, kPi});
   const ParticleSet before = particles;
@@ -81,7 +81,7 @@ TEST(PurgeReflection, LeavesAllWhereNoneWouldBeLeft) {
   EXPECT_TRUE(same(particles, before));
 }
 
-RC_GTEST_PROP(ResetOrientation, LeavesPositionsAndWeightsUntouched, ()) {
+RC_GTEST_PROP(ResetOrientation, DoesNotChangePositionsAndWeights, ()) {
   const ParticleSet before = any_particles();
   ParticleSet particles = before;
   Random random(*rc::gen::arbitrary<std::uint64_t>());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stand-in for camera and legs in the tests of the localization: percepts as a robot on the field would have them,
-// with their typical errors, and odometry that is wrong in a typical way.
+// Simulates camera and legs for tests of the localization: percepts of a robot on the field and odometry, both with
+// typical errors.
 #pragma once
 
 #include <cstdint>
@@ -24,15 +24,15 @@ inline GoalPost goal_post(const Eigen::Vector2d& position, bool base_visible = t
 }
 
 struct PerceptErrors {
-  double distance = 0.04;  ///< of each line point, as a share of its distance
+  double distance = 0.04;  ///< of each line point, as a fraction of its distance
   double bearing = 0.015;  ///< rad
   double normal = 8.0 * kPi / 180.0;
-  double sway = 0.008;         ///< rad, amplitude of the torso's unnoticed pitch, which spoils all distances alike
-  double false_points = 0.05;  ///< share of line points that are none
-  double missed_posts = 0.2;   ///< share of goal posts that go unnoticed
+  double sway = 0.008;         ///< rad, amplitude of the torso's unmeasured pitch, which affects all distances
+  double false_points = 0.05;  ///< fraction of the line points
+  double missed_posts = 0.2;   ///< fraction of the goal posts
 };
 
-/// Everything that is drawn on the field, as seen through a camera of 56 degrees.
+/// Everything that is drawn on the field, seen by a camera with a field of view of 56 degrees.
 class SyntheticField {
  public:
   SyntheticField(const FieldDimensions& field, const PerceptErrors& errors, std::uint64_t seed);
@@ -55,29 +55,29 @@ class SyntheticField {
 /// Head movement of a scanning robot, rad.
 inline double scanning_yaw(double time) { return 1.4 * std::sin(2.0 * kPi * time / 5.0); }
 
-/// Where on a wall of `radius` m around the center of the field a robot looks whose camera is turned by `yaw`: rad.
+/// The azimuth, rad, at which a camera with this `yaw` looks, on a wall of `radius` m around the center of the field.
 double azimuth_from(const Pose2& robot, double yaw, double radius);
 
-/// A robot with a pose filter, both a frame (1/30 s) at a time.
+/// A robot with a pose filter. Each step is one frame of 1/30 s.
 class SyntheticRobot {
  public:
   SyntheticRobot(PoseFilter& filter, const Pose2& where, std::uint64_t seed, const PerceptErrors& errors = {});
 
-  /// Where it really is; may be overwritten to pick it up and put it down.
+  /// The true pose. May be overwritten to move the robot without odometry.
   Pose2 truth;
   double time = 0.0;  ///< s
-  /// Of a room that tells where on its wall the camera looks, m. Nothing: no room.
+  /// Radius, m, of the wall of a room that gives the view. Empty: no room.
   std::optional<double> wall_radius;
 
-  /// Stands and scans its head for a frame.
+  /// Stands and moves its head, for one frame.
   void stand(SeenGoal seen_goal = SeenGoal::unknown) { step(Pose2(), seen_goal); }
   void stand_for(double seconds, SeenGoal seen_goal = SeenGoal::unknown);
-  /// Walks to and fro between the penalty marks, for a frame.
+  /// Walks back and forth between the penalty marks, for one frame.
   void walk(SeenGoal seen_goal = SeenGoal::unknown);
 
   double position_error() const { return (filter_.belief().pose.position - truth.position).norm(); }  ///< m
   double rotation_error() const;                                                                      ///< rad
-  bool believes(const Pose2& pose, double metres = 0.5, double radians = 0.3) const;
+  bool believes(const Pose2& pose, double meters = 0.5, double radians = 0.3) const;
   bool believes_truth() const { return believes(truth); }
   bool believes_reflection() const { return believes(reflect(truth)); }
 

@@ -11,12 +11,12 @@
 namespace reorient {
 namespace {
 
-/// Of a robot whose camera looks `yaw` to the left, at a wall 8 m away from the center of the field.
+/// The view of a robot whose camera looks `yaw` to the left, at a wall 8 m away from the center of the field.
 SeenView view_from(const Pose2& robot, double yaw, double deviation = 0.2) {
   return {.azimuth = azimuth_from(robot, yaw, 8.0), .deviation = deviation, .radius = 8.0, .direction = yaw};
 }
 
-RC_GTEST_PROP(ViewInjection, GivesEachPlaceTheHeadingFromWhichTheViewIsSeen, ()) {
+RC_GTEST_PROP(ViewInjection, GivesEachPositionTheHeadingThatFitsTheView, ()) {
   const auto number = [](int least, int most) { return *rc::gen::inRange(least, most) * 1e-3; };
   const Pose2 robot(number(-5000, 5000), number(-3500, 3500), number(-3141, 3141));
   const SeenView view = view_from(robot, number(-2000, 2000));
@@ -37,16 +37,16 @@ TEST(ViewInjection, DrawsPosesOnTheCarpetOfWhichSomeAreNearTheTruth) {
     constexpr double kRounding = 1e-6;  // m, of single precision
     EXPECT_TRUE((pose.position.cwiseAbs().array() <= carpet.array() + kRounding).all());
     if ((pose.position - robot.position).norm() < 0.5) ++near;
-    // From the other side of the field the wall is seen elsewhere, so headings differ by more than the view is off.
+    // The heading depends on the position on the field, so it differs by more than the view's deviation.
     if (std::abs(angle_difference(pose.rotation, robot.rotation)) > 1.8) ++turned_away;
   }
   EXPECT_GT(near, 20);
   EXPECT_EQ(turned_away, 0);
 }
 
-/// A robot that stood at its initial pose for 10 s and was then carried elsewhere. It sees no goals.
-struct CarriedRobot {
-  explicit CarriedRobot(bool use_view, std::uint64_t seed) : filter(parameters(use_view), FieldDimensions(), seed) {
+/// A robot that stood at its initial pose for 10 s and was then moved without odometry. It sees no goals.
+struct KidnappedRobot {
+  explicit KidnappedRobot(bool use_view, std::uint64_t seed) : filter(parameters(use_view), FieldDimensions(), seed) {
     filter.set_initial_pose(robot.truth, 0.1, 0.05);
     robot.stand_for(10.0);
     robot.truth = {2.0, 1.5, 2.5};
@@ -62,22 +62,22 @@ struct CarriedRobot {
   SyntheticRobot robot{filter, {-3.2, 0.0, 0.0}, 7, PerceptErrors{.missed_posts = 1.0}};
 };
 
-TEST(LostRobot, FindsItselfByTheViewWhereItSeesNoGoal) {
+TEST(LostRobot, FindsItsPoseByTheViewWithoutAGoal) {
   int with = 0, without = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     for (const bool use_view : {true, false}) {
-      CarriedRobot carried(use_view, seed);
-      carried.robot.wall_radius = 8.0;
-      carried.robot.stand_for(6.0);
-      if (carried.robot.believes_truth()) ++(use_view ? with : without);
+      KidnappedRobot kidnapped(use_view, seed);
+      kidnapped.robot.wall_radius = 8.0;
+      kidnapped.robot.stand_for(6.0);
+      if (kidnapped.robot.believes_truth()) ++(use_view ? with : without);
     }
   }
   EXPECT_GE(with, 9);
   EXPECT_LE(without, with - 5);
 }
 
-TEST(LostRobot, IsNotTurnedByAViewWhileItsPoseFits) {
-  PoseFilter plain(CarriedRobot::parameters(true), FieldDimensions(), 1), viewing = plain;
+TEST(LostRobot, IsNotChangedByAViewWhileItsPoseFits) {
+  PoseFilter plain(KidnappedRobot::parameters(true), FieldDimensions(), 1), viewing = plain;
   const Pose2 start(-3.2, 1.0, 0.3);
   std::vector<SyntheticRobot> robots;
   for (PoseFilter* const filter : {&plain, &viewing}) {
@@ -90,10 +90,10 @@ TEST(LostRobot, IsNotTurnedByAViewWhileItsPoseFits) {
   EXPECT_EQ(plain.belief().pose.rotation, viewing.belief().pose.rotation);
 }
 
-TEST(LostRobot, TakesTheSideOfAnUnknownGoalFromTheView) {
+TEST(LostRobot, DecidesTheSideOfAnUnknownGoalByTheView) {
   int right = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    PoseFilter filter(PoseFilterParameters(), FieldDimensions(), seed);  // which starts anywhere
+    PoseFilter filter(PoseFilterParameters(), FieldDimensions(), seed);  // starts globally, so it is lost
     SyntheticRobot robot(filter, {-2.0, 1.0, 0.4}, seed);
     robot.wall_radius = 8.0;
     robot.stand_for(6.0);
