@@ -23,6 +23,14 @@ constexpr std::pair<std::string_view, std::string_view> kFormerParameters[] = {
     {"background_training.asymmetry", "background_training.separability"},
     {"room_status.asymmetry", "room_status.separability"}};
 
+/// Parameters that only have a new name.
+constexpr std::pair<std::string_view, std::string_view> kRenamedParameters[] = {
+    {"color.grey_within", "color.gray_within"}};
+
+/// Functions of the library lib.decision.
+constexpr std::pair<std::string_view, std::string_view> kFormerThresholds[] = {{"in_doubt", "unconfirmed_threshold"},
+                                                                               {"in_peace", "confirmed_threshold"}};
+
 /// Scenarios, and the experiments of the same name.
 constexpr std::pair<std::string_view, std::string_view> kFormerScenarios[] = {{"turned_round", "mirrored_placement"}};
 
@@ -65,6 +73,16 @@ std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> cha
   return changes;
 }
 
+void rename_parameters(std::vector<ParameterChange>& changes) {
+  for (ParameterChange& change : changes) {
+    for (const auto& [former, present] : kRenamedParameters) {
+      if (change.name != former) continue;
+      warn_of(change.source, former, present);
+      change.name = present;
+    }
+  }
+}
+
 bool warn_of_former_name(const ParameterChange& change) {
   const auto* const former = std::find_if(std::begin(kFormerParameters), std::end(kFormerParameters),
                                           [&](const auto& names) { return names.first == change.name; });
@@ -90,6 +108,10 @@ void warn_of_former_fields(const ScriptTexts& scripts, const std::set<std::strin
     for (const WorldField& field : world_fields()) {
       if (!field.replacement.empty() && has_name(tokens, field.table, field.name))
         warn_of(where, field.full_name(), field.replacement);
+    }
+    for (const auto& [former, present] : kFormerThresholds) {
+      if (has_name(tokens, "decision", former))
+        warn_of(where, "decision." + std::string(former), "decision." + std::string(present));
     }
     for (const FormerTable& table : scenarios.former_tables()) {
       if (has_name(tokens, table.name)) warn_of(where, table.name, table.replacement);

@@ -19,10 +19,13 @@ std::string present_name(const std::string& name);
 /// `scripts` still has under its former name stay.
 std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> changes, const ScriptTexts& scripts);
 
+/// With the present names of those parameters that only have a new name, each with one warning.
+void rename_parameters(std::vector<ParameterChange>& changes);
+
 /// False if it is not a former name.
 bool warn_of_former_name(const ParameterChange& change);
 
-/// One warning for each former field of the world, and for each former table, in each of these files.
+/// One warning for each former table, field of the world or function of a library, in each of these files.
 void warn_of_former_fields(const ScriptTexts& scripts, const std::set<std::string>& files);
 
 /// The files of all behaviors that are loaded.

@@ -10,6 +10,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/former_names.h"
 #include "program/run/venue.h"
 #include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
@@ -68,6 +69,7 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options) {
     }
     changes.push_back({assignment.substr(0, equals), assignment.substr(equals + 1), ParameterOrigin::command_line, ""});
   }
+  rename_parameters(changes);
   return changes;
 }
 

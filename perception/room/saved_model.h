@@ -27,7 +27,7 @@ struct ModelBasis {
 };
 template <typename Visit, ConstOr<ModelBasis> T>
 void fields(Visit&& visit, T& basis) {
-  visit(basis.wall, basis.color.dark_below, basis.color.bright_above, basis.color.grey_within, basis.color.blur,
+  visit(basis.wall, basis.color.dark_below, basis.color.bright_above, basis.color.gray_within, basis.color.blur,
         basis.light_adaptation, basis.pose_light);
 }
 

@@ -129,7 +129,7 @@ std::string verdict_of(const TrialResult& result, const Measurement& measurement
                               : "the belief was right at first, and was lost";
   return fmt::format(
       "the belief was wrong at first; right, and staying so, after: {}; corrected by a command after: {}",
-      seconds_text(result.right_after), seconds_text(result.mended_after));
+      seconds_text(result.right_after), seconds_text(result.corrected_after));
 }
 
 /// One trial alone, as `reorient run` shows a run; its result is not kept.

@@ -39,9 +39,9 @@ bool has_failed(const TrialResult& result, const FootageCase& one) {
 
 std::string what_went_wrong(const TrialResult& result, const FootageCase& one, double watch) {
   if (!one.change.mirrored) return "flipped";
-  if (!result.mended_after) return "not found";
-  return fmt::format("found after {:.1f} s, {}", *result.mended_after,
-                     *result.mended_after > watch ? "too late" : "but wrong again later");
+  if (!result.corrected_after) return "not found";
+  return fmt::format("found after {:.1f} s, {}", *result.corrected_after,
+                     *result.corrected_after > watch ? "too late" : "but wrong again later");
 }
 
 /// The times of the rows, counted in images: what is left of them where images come seldom.
@@ -54,7 +54,7 @@ void print_images(const FootageResults& results, std::ostream& out) {
     std::vector<int> images;
     for (const TrialResult& result : cell.trials) {
       if (result.right_after)
-        images.push_back(footage.images_within(result.seed - 1, result.mended_after.value_or(*result.right_after)));
+        images.push_back(footage.images_within(result.seed - 1, result.corrected_after.value_or(*result.right_after)));
     }
     std::sort(images.begin(), images.end());
     const auto quantile = [&](double share) {

@@ -277,7 +277,7 @@ struct reorient_answer {
 /* State of a behavior's state machine: after each connection and after each change. */
 struct reorient_state {
   char behavior[64]; /* name of the behavior */
-  char state[192];   /* for example "watching/in doubt"; "stopped" after too many errors */
+  char state[192];   /* for example "watching/unconfirmed"; "stopped" after too many errors */
 };
 
 enum { REORIENT_NOTE_FAULT = 1, REORIENT_NOTE_LOG = 2, REORIENT_NOTE_MESSAGE = 3 /* to the other robots */ };

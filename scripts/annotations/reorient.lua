@@ -293,11 +293,11 @@ local library = {}
 
 --- The threshold for a confirmed pose.
 ---@return number log_odds
-function library.in_peace() end
+function library.confirmed_threshold() end
 
 --- The threshold for an unconfirmed pose, for example after a disturbance.
 ---@return number log_odds
-function library.in_doubt() end
+function library.unconfirmed_threshold() end
 
 --- Whether the evidence for the believed pose reaches the threshold.
 ---@return boolean

@@ -16,7 +16,7 @@ local p = param {
   taken_back = { 0.05, range = { 0, 1 },              doc = "largest relative decrease of the evidence during settling" },
 }
 
-local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_in_peace = 0.0, age = 0.0, began = 0.0,
+local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_when_confirmed = 0.0, age = 0.0, began = 0.0,
   most_evidence = 0.0 }
 
 -- A flip mirrors every particle, correct ones as well, and a reset spreads them: once the believed pose is confirmed
@@ -44,7 +44,7 @@ end
 local function believed_pose_won() return may_decide() and decision.for_believed() end
 
 local function reflected_pose_won()
-  return may_decide() and confidence.evidence > decision.in_doubt() and not is_taking_back()
+  return may_decide() and confidence.evidence > decision.unconfirmed_threshold() and not is_taking_back()
 end
 
 local function is_upright() return robot.posture == "upright" end
@@ -59,25 +59,25 @@ behavior "orientation" {
   },
 
   state "watching" {
-    initial = "in doubt",
+    initial = "unconfirmed",
     { "purging",
       when = function() return believed_pose_won() and is_purge_due() end,
       lasting = "hold_time", because = "the believed pose won while reflected beliefs may linger" },
 
-    state "in doubt" {
+    state "unconfirmed" {
       { "correcting",
         when = reflected_pose_won,
         lasting = "hold_time", because = "the reflected pose won" },
-      { "in peace", when = believed_pose_won, lasting = "hold_time", because = "the believed pose won" },
+      { "confirmed", when = believed_pose_won, lasting = "hold_time", because = "the believed pose won" },
     },
 
-    state "in peace" {
-      enter = function() memory.age_in_peace = confidence.age end,
+    state "confirmed" {
+      enter = function() memory.age_when_confirmed = confidence.age end,
       { "correcting",
-        when = function() return may_decide() and confidence.evidence > decision.in_peace() end,
+        when = function() return may_decide() and confidence.evidence > decision.confirmed_threshold() end,
         lasting = "hold_time", because = "the reflected pose won" },
-      { "in doubt",
-        when = function() return confidence.age < memory.age_in_peace end,
+      { "unconfirmed",
+        when = function() return confidence.age < memory.age_when_confirmed end,
         because = "earlier views are not valid any more" },
     },
   },

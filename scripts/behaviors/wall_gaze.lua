@@ -21,7 +21,7 @@ local NEAR = 0.08   -- rad
 local memory = keep { yaw = 0.0 }   -- direction of the head, rad
 
 -- If the pose filter is lost, the believed directions of the walls, and so of the best view, are wrong.
-local function is_in_doubt()
+local function is_unconfirmed()
   return confidence.can_tell and confidence.status ~= "lost" and not decision.for_either() and views.best_score > p.least
 end
 
@@ -37,14 +37,14 @@ behavior "wall_gaze" {
   initial = "resting",
 
   state "resting" {
-    { "looking", when = is_in_doubt, because = "the orientation is unconfirmed" },
+    { "looking", when = is_unconfirmed, because = "the orientation is unconfirmed" },
     { "studying", when = is_learning, because = "the room is being learned, and some tiles are unknown" },
   },
 
   state "looking" {
     enter = function() memory.yaw = views.best_yaw end,
     update = function() head.look(memory.yaw, p.pitch, p.speed) end,
-    { "resting", when = function() return not is_in_doubt() end, because = "the orientation is confirmed, or the room has no evidence" },
+    { "resting", when = function() return not is_unconfirmed() end, because = "the orientation is confirmed, or the room has no evidence" },
     { "looking", when = is_there, lasting = "dwell", because = "the view was held long enough" },
     { "looking", after = "timeout", because = "the head cannot reach the view" },
   },

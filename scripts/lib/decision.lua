@@ -16,18 +16,22 @@ local function log_odds(chances) return math.max(p.least, math.log(chances / p.f
 
 --- The threshold for a confirmed pose.
 ---@return number log_odds
-function decision.in_peace() return log_odds(p.looks) end
+function decision.confirmed_threshold() return log_odds(p.looks) end
 
 --- The threshold for an unconfirmed pose, for example after a disturbance.
 ---@return number log_odds
-function decision.in_doubt() return log_odds(p.disturbances) end
+function decision.unconfirmed_threshold() return log_odds(p.disturbances) end
+
+-- Former names, with which scripts of earlier versions still run.
+decision.in_peace = decision.confirmed_threshold
+decision.in_doubt = decision.unconfirmed_threshold
 
 --- Whether the evidence for the believed pose reaches the threshold.
 ---@return boolean
-function decision.for_believed() return confidence.evidence < -decision.in_doubt() end
+function decision.for_believed() return confidence.evidence < -decision.unconfirmed_threshold() end
 
 --- Whether the evidence for either pose reaches the threshold.
 ---@return boolean
-function decision.for_either() return math.abs(confidence.evidence) >= decision.in_doubt() end
+function decision.for_either() return math.abs(confidence.evidence) >= decision.unconfirmed_threshold() end
 
 return decision

@@ -51,7 +51,7 @@ end)
 
 test("loads the behaviors that it needs", function()
   put_down()
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.state("get_up", "idle")
   expect.state("background_training", "disturbed")
   expect.state("kidnap_recovery", "searching/with its belief")

@@ -10,7 +10,7 @@ end
 
 test("watches first", function()
   learned_room()
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.no_command()
 end)
 
@@ -35,7 +35,7 @@ test("does not flip on evidence that does not last", function()
     set_world { confidence = { evidence = 1 } }
     advance(0.1)
   end
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.no_command()
 end)
 
@@ -110,7 +110,7 @@ test("does not flip in a room that looks the same after a rotation by 180 degree
   set_world { confidence = { evidence = 10, paired = 0.5, distinctiveness = 0.0 } }
   advance(10)
   expect.no_command()
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
 end)
 
 test("does not flip in a room that is symmetric as far as it was seen", function()
@@ -118,7 +118,7 @@ test("does not flip in a room that is symmetric as far as it was seen", function
   set_world { confidence = { evidence = 10, separability = 0.4 } }
   advance(10)
   expect.no_command()
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   set_world { confidence = { separability = 0.6 } }
   advance(1)
   expect.command("flip_pose")
@@ -162,7 +162,7 @@ test("resets the orientation after a fall, once the robot is up", function()
   expect.command("reset_orientation", "granted")
   expect.reason("orientation", "the robot got up again")
   advance(3)
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.reason("orientation", "after min_time")
 end)
 
@@ -187,7 +187,7 @@ test("a fallen robot that is lifted is not reset, since its next position is unk
   advance(1)
   set_world { robot = { posture = "upright" } }
   advance(3)
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.no_command()
 end)
 
@@ -286,7 +286,7 @@ test("watches as soon as it stands again, and decides only after new views", fun
   advance(2)
   set_world { robot = { posture = "upright" }, confidence = { evidence = 10 } }
   advance(0.1)
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.reason("orientation", "the robot stands again")
   expect.no_command()
 end)
@@ -301,14 +301,14 @@ test("purges once after a flip that was confirmed, even with few reflected belie
   expect.command("purge_reflection", "granted")
   expect.state("orientation", "purging")
   advance(10)
-  expect.state("orientation", "watching/in peace")
+  expect.state("orientation", "watching/confirmed")
 end)
 
 test("requires more evidence to flip a confirmed pose", function()
   learned_room()
   set_world { confidence = { evidence = -9 } }
   advance(0.5)
-  expect.state("orientation", "watching/in peace")
+  expect.state("orientation", "watching/confirmed")
   expect.reason("orientation", "the believed pose won")
   set_world { confidence = { evidence = 7 } }
   advance(5)
@@ -322,11 +322,11 @@ test("the pose is unconfirmed again when earlier views are not valid any more", 
   learned_room()
   set_world { confidence = { evidence = -9 } }
   advance(0.5)
-  expect.state("orientation", "watching/in peace")
+  expect.state("orientation", "watching/confirmed")
   -- The initial pose was set; the view of this frame counts already.
   set_world { confidence = { age = 0.033, evidence = 0 } }
   advance(0.1)
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   set_world { confidence = { age = 1, evidence = 7 } }
   advance(0.5)
   expect.command("flip_pose", "granted")
@@ -353,7 +353,7 @@ test("an edit during the waiting time does not restart it", function()
   advance(0.5)
   expect.state("orientation", "correcting")
   advance(0.6)
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
 end)
 
 test("after an invalid edit the previous version continues to run", function()

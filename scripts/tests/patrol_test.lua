@@ -62,7 +62,7 @@ end)
 
 test("loads the behaviors that it needs", function()
   start()
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.state("background_training", "waiting")
   expect.state("penalty_marks", "walking")
 end)

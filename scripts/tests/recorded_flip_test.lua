@@ -5,7 +5,7 @@
 
 test("flips its belief half a second after its feet touched the ground", function()
   replay "recordings/recorded_flip.mcap"
-  expect.state("orientation", "watching/in doubt")
+  expect.state("orientation", "watching/unconfirmed")
   expect.near(world_value("pose.x"), -3.2, 0.5)
 
   advance_to(43.37)

@@ -2,7 +2,7 @@
 
 -- SPDX-License-Identifier: MIT
 
-local function in_doubt()
+local function unconfirmed()
   load_behavior "wall_gaze"
   load_behavior "head_scan"
   set_world { confidence = { status = "usable", evidence = 1 }, views = { best_yaw = -0.7, best_score = 3 } }
@@ -10,7 +10,7 @@ local function in_doubt()
 end
 
 test("leaves the head to the scan while the orientation is confirmed", function()
-  in_doubt()
+  unconfirmed()
   for _, evidence in ipairs { -9, 9 } do
     set_world { confidence = { evidence = evidence } }
     advance(1)
@@ -20,7 +20,7 @@ test("leaves the head to the scan while the orientation is confirmed", function(
 end)
 
 test("leaves it to the scan if the room cannot distinguish the poses", function()
-  in_doubt()
+  unconfirmed()
   for _, status in ipairs { "off", "resting", "unlearned", "symmetric", "lost" } do
     set_world { confidence = { status = status } }
     advance(0.5)
@@ -29,7 +29,7 @@ test("leaves it to the scan if the room cannot distinguish the poses", function(
 end)
 
 test("leaves it to the scan if no view has information", function()
-  in_doubt()
+  unconfirmed()
   set_world { views = { best_score = 0 } }
   advance(0.5)
   expect.state("wall_gaze", "resting")
@@ -37,7 +37,7 @@ test("leaves it to the scan if no view has information", function()
 end)
 
 test("looks at the view with the most information, then at the next best view", function()
-  in_doubt()
+  unconfirmed()
   expect.state("wall_gaze", "looking")
   expect.reason("wall_gaze", "the orientation is unconfirmed")
   expect.head(-0.7, -0.1)
@@ -51,7 +51,7 @@ test("looks at the view with the most information, then at the next best view", 
 end)
 
 test("looks at another view if the head cannot reach one", function()
-  in_doubt()
+  unconfirmed()
   set_world { views = { best_yaw = 0.5 } }
   advance(2.1)
   expect.reason("wall_gaze", "the head cannot reach the view")

@@ -18,7 +18,7 @@ namespace {
 std::string outcome(int seed, const std::string& right_after) {
   return R"({"seed":)" + std::to_string(seed) + R"(,"disturbed":true,"failed":)" +
          (right_after == "null" ? "true" : "false") + R"(,"right_after_s":)" + right_after +
-         R"(,"mended_after_s":null,"mended_by":"flip_pose","false_flips":0})";
+         R"(,"corrected_after_s":null,"corrected_by":"flip_pose","false_flips":0})";
 }
 
 std::string row(const std::string& choices, const std::string& outcomes) {
@@ -52,6 +52,14 @@ class CompareTest : public ::testing::Test {
   TemporaryFolder folder;
   std::string before = table("before", "[" + row(kDefault, kFast) + ",\n" + row(kPaper, kSlow) + "]");
 };
+
+TEST_F(CompareTest, ReadsTheFormerNamesOfOutcomes) {
+  std::string former = "[" + row(kDefault, kFast) + ",\n" + row(kPaper, kSlow) + "]";
+  for (std::size_t at; (at = former.find("corrected_")) != std::string::npos;) former.replace(at, 10, "mended_");
+  const ProgramRun present = compare({before, before}), read = compare({table("former", former), before});
+  EXPECT_EQ(read.code, present.code) << read.err;
+  EXPECT_EQ(read.code, 0) << read.err;
+}
 
 TEST_F(CompareTest, LeavesOutRowsThatArePooledOverRooms) {
   const std::string pooled = R"("mode": "paper", "room": "all", )", one = R"("mode": "paper", "room": "hall", )";

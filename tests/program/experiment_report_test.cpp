@@ -53,7 +53,7 @@ TEST_F(ExperimentReport, IsAPageWithAllTrialsBesideIt) {
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const auto& outcome = rows[i / 2]["outcomes"][i % 2];
     for (const char* key :
-         {"seed", "disturbed", "failed", "right_after_s", "mended_after_s", "mended_by", "false_flips"})
+         {"seed", "disturbed", "failed", "right_after_s", "corrected_after_s", "corrected_by", "false_flips"})
       EXPECT_EQ(outcome[key], trials[i][key]) << key;
     EXPECT_EQ(trials[i]["confidences"]["time_s"].size(), trials[i]["confidences"]["correct"].size());
   }

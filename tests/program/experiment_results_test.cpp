@@ -32,7 +32,7 @@ TrialResult some_result() {
   result.started = true;
   result.seconds = 61.25;
   result.right_after = 8.5;
-  result.mended_by = Reorientation::flip_pose;
+  result.corrected_by = Reorientation::flip_pose;
   result.flips = 1;
   result.confidences.push_back({0.5, 0.25, 0.75, 3.5, RoomStatus::usable, false, true});
   return result;
@@ -64,10 +64,10 @@ TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
   EXPECT_EQ(read.seconds, written.seconds);
   EXPECT_EQ(read.correct_at_start, written.correct_at_start);
   EXPECT_EQ(read.right_after, written.right_after);
-  EXPECT_EQ(read.mended_after, written.mended_after);
-  EXPECT_EQ(read.mended_by, written.mended_by);
+  EXPECT_EQ(read.corrected_after, written.corrected_after);
+  EXPECT_EQ(read.corrected_by, written.corrected_by);
   EXPECT_EQ(read.usable_after, written.usable_after);
-  EXPECT_EQ(read.kidnapped, written.kidnapped);
+  EXPECT_EQ(read.displaced, written.displaced);
   EXPECT_EQ(read.flips, written.flips);
   EXPECT_EQ(read.purges, written.purges);
   EXPECT_EQ(read.resets, written.resets);
@@ -109,7 +109,7 @@ limit = 1
 hold = 0.5
 )");
   const std::string rows = table("out");
-  EXPECT_NE(rows.find("\"kidnap_trials\": 1,"), std::string::npos) << rows;
+  EXPECT_NE(rows.find("\"displaced_trials\": 1,"), std::string::npos) << rows;
 }
 
 TEST(TaskResultsTest, OfWhichABitIsAnotherOrTheEndIsMissingAreRefused) {

@@ -100,6 +100,44 @@ end))");
   EXPECT_EQ(run.code, 0) << run.out << run.err;
 }
 
+TEST(FormerNames, OfAStateAndOfALibraryFunctionStillWorkInScriptedTests) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scripts = copy_scripts(folder.path());
+  folder.write("scripts/tests/old_test.lua", R"(local decision = require "lib.decision"
+test("a former state", function()
+  load_behavior "orientation"
+  advance(0.1)
+  expect.state("orientation", "watching/in doubt")
+  expect.equal(decision.in_doubt(), decision.unconfirmed_threshold())
+  expect.equal(decision.in_peace(), decision.confirmed_threshold())
+end))");
+  const ProgramRun run = run_child(folder.path(), {"test", (scripts / "tests/old_test.lua").string()});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_NE(run.err.find(R"("watching/in doubt" is a former name: use "watching/unconfirmed")"), std::string::npos)
+      << run.err;
+}
+
+TEST(FormerNames, OfALibraryFunctionGivesAWarningInARun) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scripts = copy_scripts(folder.path());
+  folder.write("scripts/scenarios/old.lua", R"(local decision = require "lib.decision"
+scenario "old" { initial = "a", state "a" {
+  update = function() if decision.in_doubt() > 0 then verdict.succeed("it is there") end end } })");
+  const ProgramRun run = run_for_a_moment(folder.path(), {"run", "old", "--scripts", scripts.string()});
+  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;
+  EXPECT_NE(run.err.find("decision.in_doubt is a former name: use decision.unconfirmed_threshold"), std::string::npos)
+      << run.err;
+}
+
+TEST(FormerNames, OfARenamedParameterSetsThePresentOne) {
+  const TemporaryFolder folder;
+  const ProgramRun former = run_for_a_moment(folder.path(), {"run", "--set", "color.grey_within=9"});
+  const ProgramRun present = run_for_a_moment(folder.path(), {"run", "--set", "color.gray_within=9"});
+  EXPECT_EQ(digest_line(former), digest_line(present));
+  EXPECT_NE(former.err.find("color.grey_within is a former name: use color.gray_within"), std::string::npos)
+      << former.err;
+}
+
 TEST(FormerNames, OfATableIsAFindingOfTheCheck) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());

@@ -81,9 +81,10 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   const ProgramRun what_if = run_reorient({"replay", file("run.mcap"), "--set", "orientation.hold_time=2"});
   EXPECT_EQ(what_if.code, 0) << what_if.err;
   EXPECT_NE(what_if.out.find("the first decision that differs is at "), std::string::npos) << what_if.out;
-  EXPECT_NE(what_if.out.find("recorded, but not replayed:\n  orientation: watching/in doubt > watching/in peace (the "
-                             "believed pose won)"),
-            std::string::npos)
+  EXPECT_NE(
+      what_if.out.find("recorded, but not replayed:\n  orientation: watching/unconfirmed > watching/confirmed (the "
+                       "believed pose won)"),
+      std::string::npos)
       << what_if.out;
   EXPECT_NE(what_if.out.find("the robot would have acted differently from frame "), std::string::npos) << what_if.out;
 

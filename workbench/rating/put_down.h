@@ -34,8 +34,8 @@ CoreParameters core_parameters_of(const RatedRobot& robot);
 
 /// The limits of the scripts for flipping a belief (scripts/lib/decision.lua).
 struct DecisionLimits {
-  double in_doubt = 0.0;      ///< log-odds, after a disturbance
-  double in_peace = 0.0;      ///< log-odds, while nothing disturbs the robot
+  double unconfirmed = 0.0;   ///< log-odds, after a disturbance
+  double confirmed = 0.0;     ///< log-odds, while nothing disturbs the robot
   double disturbances = 0.0;  ///< per hour
   double looks = 0.0;         ///< per hour: how often all of the evidence is replaced while nothing disturbs the robot
 };

@@ -129,8 +129,9 @@ FalseFlips false_flips(Rating& rating, const RatedModel& model) {
     return upper_tail((limit - found.mean_evidence) / std::max(found.evidence_deviation, kLeastDeviation));
   };
   // The flips that were seen count as well, where the tail of a normal distribution is too thin for them.
-  const double in_doubt = std::max(probability(limits->in_doubt), static_cast<double>(found.flips) / found.trials);
-  found.per_hour = limits->disturbances * in_doubt + limits->looks * probability(limits->in_peace);
+  const double unconfirmed =
+      std::max(probability(limits->unconfirmed), static_cast<double>(found.flips) / found.trials);
+  found.per_hour = limits->disturbances * unconfirmed + limits->looks * probability(limits->confirmed);
   return found;
 }
 

@@ -29,10 +29,10 @@ ColorThresholds color_thresholds(const ColorParameters& parameters, const Light&
   thresholds.white = to_byte(std::ceil(0.5 * (dark + parameters.bright_above) * gain));
   thresholds.cb_neutral = to_byte(std::ceil(light.cb));
   thresholds.cr_neutral = to_byte(std::ceil(light.cr));
-  thresholds.cb_gray_first = to_byte(std::floor(light.cb - parameters.grey_within) + 1.0);
-  thresholds.cb_gray_last = to_byte(std::ceil(light.cb + parameters.grey_within) - 1.0);
-  thresholds.cr_gray_first = to_byte(std::floor(light.cr - parameters.grey_within) + 1.0);
-  thresholds.cr_gray_last = to_byte(std::ceil(light.cr + parameters.grey_within) - 1.0);
+  thresholds.cb_gray_first = to_byte(std::floor(light.cb - parameters.gray_within) + 1.0);
+  thresholds.cb_gray_last = to_byte(std::ceil(light.cb + parameters.gray_within) - 1.0);
+  thresholds.cr_gray_first = to_byte(std::floor(light.cr - parameters.gray_within) + 1.0);
+  thresholds.cr_gray_last = to_byte(std::ceil(light.cr + parameters.gray_within) - 1.0);
   return thresholds;
 }
 

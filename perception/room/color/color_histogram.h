@@ -22,7 +22,7 @@ using ColorCounts = std::array<std::uint32_t, kColorBins>;
 struct ColorParameters {
   double dark_below = 85.0;     ///< c1
   double bright_above = 170.0;  ///< c2
-  double grey_within = 5.0;     ///< c3
+  double gray_within = 5.0;     ///< c3
   double blur = 0.0;
 };
 template <typename Visit>
@@ -30,7 +30,7 @@ void describe(ColorParameters& p, Visit&& visit) {
   visit("dark_below", p.dark_below, 1.0, 254.0, "", "c1: luma below which a color is in the darkest slice");
   visit("bright_above", p.bright_above, 1.0, 255.0, "",
         "c2: luma at and above which a color is in the brightest slice");
-  visit("grey_within", p.grey_within, 0.0, 64.0, "",
+  visit("gray_within", p.gray_within, 0.0, 64.0, "",
         "c3: distance of chroma from neutral below which a pixel is black or white");
   visit("blur", p.blur, 0.0, 0.25, "", "fraction of a bin that each of its four neighbors gets");
 }

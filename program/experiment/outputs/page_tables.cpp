@@ -82,8 +82,8 @@ const ordered_json& value_of(const ordered_json& row, const std::string& key) {
 }
 
 bool is_share(const std::string& key) {
-  constexpr std::string_view kShares[] = {"failed",        "flip",          "purge",    "reset",
-                                          "uninformative", "kidnap_failed", "mirrored", "within_95"};
+  constexpr std::string_view kShares[] = {"failed",           "flip",     "purge",    "reset", "uninformative",
+                                          "displaced_failed", "mirrored", "within_95"};
   return key.starts_with("eer_") || key.starts_with("silent_") ||
          std::find(std::begin(kShares), std::end(kShares), key) != std::end(kShares);
 }

@@ -76,6 +76,11 @@ std::optional<Reorientation> reorientation_at(const ordered_json& table, const c
   throw Flaw(fmt::format("expected a command as \"{}\" of {}, found {}", key, what, shown(value)));
 }
 
+/// The key, or its former name where the file has that one.
+const char* present_or_former(const ordered_json& table, const char* present, const char* former) {
+  return !table.contains(present) && table.contains(former) ? former : present;
+}
+
 Outcome outcome_from(const ordered_json& table) {
   constexpr const char* kWhat = "an outcome";
   if (!table.is_object()) throw Flaw("expected an object as an outcome, found " + shown(table));
@@ -86,8 +91,8 @@ Outcome outcome_from(const ordered_json& table) {
           yes_at(table, "disturbed", kWhat),
           yes_at(table, "failed", kWhat),
           optional_number_at(table, "right_after_s", kWhat),
-          optional_number_at(table, "mended_after_s", kWhat),
-          reorientation_at(table, "mended_by", kWhat),
+          optional_number_at(table, present_or_former(table, "corrected_after_s", "mended_after_s"), kWhat),
+          reorientation_at(table, present_or_former(table, "corrected_by", "mended_by"), kWhat),
           count_at(table, "false_flips", kWhat)};
 }
 

@@ -46,7 +46,7 @@ std::vector<std::string> cells_of(const CellResults& cell) {
                         percent(row.failed_rate.low), percent(row.failed_rate.high));
   for (std::string text :
        {std::to_string(row.trials), failed, mean_text(row.right), one_decimal(row.right_median),
-        one_decimal(row.right_p90), mean_text(row.mended), std::to_string(row.flips), std::to_string(row.purges),
+        one_decimal(row.right_p90), mean_text(row.by_command), std::to_string(row.flips), std::to_string(row.purges),
         std::to_string(row.false_flips), fmt::format("{:.2f}", row.right_hours)})
     cells.push_back(std::move(text));
   return cells;
@@ -92,8 +92,8 @@ ordered_json outcome_as_json(const Outcome& outcome) {
           {"disturbed", outcome.disturbed},
           {"failed", outcome.failed},
           {"right_after_s", or_null(outcome.right_after)},
-          {"mended_after_s", or_null(outcome.mended_after)},
-          {"mended_by", outcome.mended_by ? ordered_json(to_string(*outcome.mended_by)) : ordered_json()},
+          {"corrected_after_s", or_null(outcome.corrected_after)},
+          {"corrected_by", outcome.corrected_by ? ordered_json(to_string(*outcome.corrected_by)) : ordered_json()},
           {"false_flips", outcome.false_flips}};
 }
 
@@ -163,9 +163,9 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRes
     json["purge"] = share(row.purge, row.disturbed);
     json["reset"] = share(row.reset, row.disturbed);
     const bool of_command = experiment.times == TimeOf::command;
-    json["mean_s"] = or_null(of_command ? row.mended.mean : row.right.mean);
-    json["median_s"] = or_null(of_command ? row.mended_median : row.right_median);
-    json["p90_s"] = or_null(of_command ? row.mended_p90 : row.right_p90);
+    json["mean_s"] = or_null(of_command ? row.by_command.mean : row.right.mean);
+    json["median_s"] = or_null(of_command ? row.command_median : row.right_median);
+    json["p90_s"] = or_null(of_command ? row.command_p90 : row.right_p90);
     json["flip_mean_s"] = or_null(row.flip_time.mean);
     json["purge_mean_s"] = or_null(row.purge_time.mean);
     json["right_mean_s"] = or_null(row.right.mean);
@@ -180,9 +180,9 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRes
     json["right_hours"] = row.right_hours;
     json["false_flips_per_hour_low"] = or_null(row.false_flip_rate.low);
     json["false_flips_per_hour_high"] = or_null(row.false_flip_rate.high);
-    json["kidnap_trials"] = row.kidnapped;
-    json["kidnap_failed"] = share(row.kidnapped_failed, row.kidnapped);
-    json["kidnap_mean_s"] = or_null(row.kidnapped_right.mean);
+    json["displaced_trials"] = row.displaced;
+    json["displaced_failed"] = share(row.displaced_failed, row.displaced);
+    json["displaced_mean_s"] = or_null(row.displaced_right.mean);
     json["usable_mean_s"] = or_null(row.usable.mean);
     json["confidence_area"] = or_null(row.confidence_area);
     json["uninformative_time"] = or_null(row.uninformative_time);

@@ -42,9 +42,9 @@ struct Noise {
 ColorThresholds any_thresholds() {
   const auto byte = [] { return *rc::gen::arbitrary<std::uint8_t>(); };
   if (*rc::gen::arbitrary<bool>()) {
-    const double grey_within = *rc::gen::inRange(0, 20);
+    const double gray_within = *rc::gen::inRange(0, 20);
     return color_thresholds(
-        {.grey_within = grey_within},
+        {.gray_within = gray_within},
         {*rc::gen::inRange(20, 250) * 1.0, *rc::gen::inRange(100, 156) / 1.1, *rc::gen::inRange(100, 156) / 1.1});
   }
   return {byte(), byte(), byte(), byte(), byte(), byte(), byte(), byte(), byte()};

@@ -210,7 +210,7 @@ TEST(ModelOfYesterday, WithOtherParametersIsRefusedWithTheirNames) {
   EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.columns = 24; }), reason + "wall.columns=48");
   EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.rows = 2, p.wall.top = 3.1; }), reason + "wall.top=5.5 wall.rows=4");
   EXPECT_EQ(refusal([](RoomParameters& p) { p.wall.bottom = 0.75; }), reason + "wall.bottom=0.7");
-  EXPECT_EQ(refusal([](RoomParameters& p) { p.color.grey_within = 6.5; }), reason + "color.grey_within=5");
+  EXPECT_EQ(refusal([](RoomParameters& p) { p.color.gray_within = 6.5; }), reason + "color.gray_within=5");
   EXPECT_EQ(refusal([](RoomParameters& p) { p.color.blur = 0.05; }), reason + "color.blur=0");
   EXPECT_EQ(refusal([](RoomParameters& p) { p.light.enabled = false; }), reason + "light_adaptation.enabled=true");
   EXPECT_EQ(refusal([](RoomParameters& p) { p.pose_light.enabled = false; }), reason + "pose_light.enabled=true");

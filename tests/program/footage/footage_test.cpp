@@ -267,7 +267,7 @@ TEST_F(Footage, GivesATrialTheSameResultAsARunThatLivedThroughEverything) {
     if (command["command"] == "flip_pose" && flipped_at < 0.0) flipped_at = command["time"];
   for (const auto& row : rows) {
     if (row["start"] == "told" && row["pose"] == "mirrored") {
-      EXPECT_NEAR(row["outcomes"][0]["mended_after_s"].get<double>(), flipped_at - 20.0, 0.11);
+      EXPECT_NEAR(row["outcomes"][0]["corrected_after_s"].get<double>(), flipped_at - 20.0, 0.11);
     }
   }
 }

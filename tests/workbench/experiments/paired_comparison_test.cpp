@@ -11,7 +11,7 @@ namespace {
 
 Outcome came_right(std::uint64_t seed, double right_after) { return {seed, true, false, right_after, {}, {}, 0}; }
 Outcome came_to_nothing(std::uint64_t seed) { return {seed, true, true, {}, {}, {}, 0}; }
-Outcome left_in_peace(std::uint64_t seed) { return {seed, false, false, 0.1, {}, {}, 0}; }
+Outcome left_correct(std::uint64_t seed) { return {seed, false, false, 0.1, {}, {}, 0}; }
 
 TEST(PairedComparison, PairsEqualSeedsInWhateverOrder) {
   const PairedComparison comparison = compare_pairs({came_right(1, 2.0), came_right(2, 3.0), came_right(3, 4.0)},
@@ -36,7 +36,7 @@ TEST(PairedComparison, CountsFailuresThatOnlyOneHad) {
 
 TEST(PairedComparison, LeavesOutPairsWithAnUndisturbedTrial) {
   const PairedComparison comparison =
-      compare_pairs({left_in_peace(1), came_to_nothing(2)}, {came_to_nothing(1), left_in_peace(2)});
+      compare_pairs({left_correct(1), came_to_nothing(2)}, {came_to_nothing(1), left_correct(2)});
   EXPECT_EQ(comparison.pairs, 2);
   EXPECT_EQ(comparison.disturbed, 0);
   EXPECT_EQ(comparison.failed_first + comparison.failed_second, 0);

@@ -27,8 +27,8 @@ TrialResult shown_result(std::uint64_t seed, bool is_disturbed) {
   if (!is_disturbed) trial.right_after = 0.0;
   if (is_disturbed && seed % 5 != 0) {
     trial.right_after = random.uniform(1.0, 50.0);
-    trial.mended_after = *trial.right_after;
-    trial.mended_by = seed % 2 == 0 ? Reorientation::flip_pose : Reorientation::purge_reflection;
+    trial.corrected_after = *trial.right_after;
+    trial.corrected_by = seed % 2 == 0 ? Reorientation::flip_pose : Reorientation::purge_reflection;
   }
   trial.right_seconds = 60.0;
   for (double time = 0.5; time < 70.0; time += 0.5) {
@@ -95,8 +95,8 @@ TEST(ReportPage, ShowsTheNumbersOfTheRows) {
   row.right.mean = 123.4;  // no second computation of what the row says
   row.right.interval = Interval{120.1, 129.9};
   row.right_median = 77.7;
-  row.mended.mean = 55.5;
-  row.mended.interval = Interval{51.0, 59.0};
+  row.by_command.mean = 55.5;
+  row.by_command.interval = Interval{51.0, 59.0};
   const std::string page = report_page(report);
   for (const char* text : {"123.4 [120.1, 129.9]", "77.7", "55.5 [51.0, 59.0]"}) EXPECT_TRUE(has(page, text)) << text;
 }
@@ -104,7 +104,7 @@ TEST(ReportPage, ShowsTheNumbersOfTheRows) {
 TEST(ReportPage, ShowsThatATimeIsLaterThanTheLimit) {
   Report report = report_with("halls", 10);
   for (CellResults& cell : report.cells) {
-    for (TrialResult& trial : cell.trials) trial.right_after = trial.mended_after = {};
+    for (TrialResult& trial : cell.trials) trial.right_after = trial.corrected_after = {};
     cell.row = row_of(cell.trials);
   }
   const std::string page = report_page(report);

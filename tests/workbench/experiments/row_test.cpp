@@ -11,14 +11,14 @@
 namespace reorient {
 namespace {
 
-TrialResult corrected(double right_after, Reorientation by = Reorientation::flip_pose, double mended_after = 2.0) {
+TrialResult corrected(double right_after, Reorientation by = Reorientation::flip_pose, double corrected_after = 2.0) {
   TrialResult result;
   result.started = true;
   result.seconds = 70.0;
   result.correct_at_start = false;
   result.right_after = right_after;
-  result.mended_after = mended_after;
-  result.mended_by = by;
+  result.corrected_after = corrected_after;
+  result.corrected_by = by;
   result.flips = by == Reorientation::flip_pose ? 1 : 0;
   result.purges = 1 - result.flips;
   return result;
@@ -30,7 +30,7 @@ TrialResult failed() {
   result.correct_at_start = false;
   return result;
 }
-TrialResult in_peace(double right_seconds, int false_flips) {
+TrialResult stays_correct(double right_seconds, int false_flips) {
   TrialResult result;
   result.started = true;
   result.right_after = 0.1;
@@ -40,7 +40,7 @@ TrialResult in_peace(double right_seconds, int false_flips) {
 }
 
 TEST(Row, CountsFailuresOfThoseThatWereDisturbed) {
-  const Row row = row_of({corrected(3.0), failed(), in_peace(100.0, 0), TrialResult()});
+  const Row row = row_of({corrected(3.0), failed(), stays_correct(100.0, 0), TrialResult()});
   EXPECT_EQ(row.trials, 4);
   EXPECT_EQ(row.disturbed, 3);
   EXPECT_EQ(row.failed, 2) << "one never began";
@@ -52,24 +52,24 @@ TEST(Row, CountsFailuresOfThoseThatWereDisturbed) {
 TEST(Row, ReportsKidnappedTrialsSeparately) {
   TrialResult carried = corrected(4.0);
   TrialResult lost = failed();
-  carried.kidnapped = lost.kidnapped = true;
-  const Row row = row_of({carried, lost, corrected(8.0), in_peace(10.0, 0)});
-  EXPECT_EQ(row.kidnapped, 2);
-  EXPECT_EQ(row.kidnapped_failed, 1);
-  EXPECT_EQ(row.kidnapped_right.mean, 4.0);
+  carried.displaced = lost.displaced = true;
+  const Row row = row_of({carried, lost, corrected(8.0), stays_correct(10.0, 0)});
+  EXPECT_EQ(row.displaced, 2);
+  EXPECT_EQ(row.displaced_failed, 1);
+  EXPECT_EQ(row.displaced_right.mean, 4.0);
 }
 
 TEST(Row, CountsATrialWithoutACommandAsLaterThanAllOthers) {
   const Row row =
       row_of({corrected(3.0, Reorientation::flip_pose, 1.0), corrected(3.0, Reorientation::flip_pose, 2.0), failed()});
-  EXPECT_EQ(row.mended_median, 2.0);
-  EXPECT_FALSE(row.mended_p90);
+  EXPECT_EQ(row.command_median, 2.0);
+  EXPECT_FALSE(row.command_p90);
 }
 
 TEST(Row, ReportsTheTimesOfTrialsThatDidNotFail) {
   const Row row = row_of({corrected(3.0), corrected(5.0), failed()});
   EXPECT_EQ(row.right.mean, 4.0);
-  EXPECT_EQ(row.mended.mean, 2.0);
+  EXPECT_EQ(row.by_command.mean, 2.0);
   ASSERT_TRUE(row.right.interval);
   EXPECT_GE(row.right.interval->low, 3.0);
 }
@@ -87,11 +87,11 @@ TEST(Row, DistinguishesFlipsFromPurges) {
   EXPECT_EQ(row.purge, 1);
   EXPECT_EQ(row.flip_time.mean, 1.5);
   EXPECT_EQ(row.purge_time.mean, 6.0);
-  EXPECT_EQ(row.mended.mean, 3.0);
+  EXPECT_EQ(row.by_command.mean, 3.0);
 }
 
 TEST(Row, CountsFalseFlipsPerHourOfRightBelief) {
-  const Row row = row_of({in_peace(1800.0, 0), in_peace(1800.0, 5)});
+  const Row row = row_of({stays_correct(1800.0, 0), stays_correct(1800.0, 5)});
   EXPECT_EQ(row.disturbed, 0);
   EXPECT_EQ(row.right_hours, 1.0);
   EXPECT_EQ(row.false_flips, 5);
@@ -114,7 +114,7 @@ TEST(Row, AsksTheEvidenceOnlyWhereItIsUsedAndOneOfTheTwoPosesIsRight) {
 }
 
 TEST(Row, ReportsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
-  TrialResult trial = in_peace(30.0, 0);
+  TrialResult trial = stays_correct(30.0, 0);
   trial.wrong_seconds = 10.0;
   trial.uninformative_seconds = 10.0;
   EXPECT_EQ(row_of({trial}).uninformative_time, 0.25);
@@ -122,7 +122,7 @@ TEST(Row, ReportsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
 }
 
 TEST(Row, ReportsHowWellTheConfidencesSeparateWrongBeliefsFromRightOnes) {
-  TrialResult trial = in_peace(10.0, 0);
+  TrialResult trial = stays_correct(10.0, 0);
   EXPECT_FALSE(row_of({trial}).confidence_area);
   const auto seen = [&trial](double current, double opposite, bool correct, RoomStatus status) {
     trial.confidences.push_back({0.0, current, opposite, 0.0, status, correct, !correct});
@@ -162,7 +162,7 @@ TEST(RowsOfAllRooms, CountTheTrialsOfEachChoiceTogether) {
   const std::vector<CellResults> pooled = pooled_over_rooms(
       of_axes({"room", "motion"}),
       {cell({"hall", "head"}, {corrected(1.0), failed()}), cell({"hall", "walk"}, {corrected(5.0)}),
-       cell({"lab", "head"}, {corrected(3.0), in_peace(3600.0, 1)}), cell({"lab", "walk"}, {corrected(7.0)})});
+       cell({"lab", "head"}, {corrected(3.0), stays_correct(3600.0, 1)}), cell({"lab", "walk"}, {corrected(7.0)})});
   ASSERT_EQ(pooled.size(), 2u);
   EXPECT_EQ(pooled[0].choices, (std::vector<std::string>{"all", "head"}));
   EXPECT_EQ(pooled[0].row.trials, 4);

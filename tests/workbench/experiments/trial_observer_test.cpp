@@ -158,8 +158,8 @@ TrialResult carried_to(const Pose2& where) {
 }
 
 TEST(Trial, KnowsAKidnappedRobotFromOneThatIsPutBack) {
-  EXPECT_TRUE(carried_to(reflect(kTruth)).kidnapped);
-  EXPECT_FALSE(carried_to(Pose2(kTruth.position.x() + 0.05, kTruth.position.y(), kTruth.rotation)).kidnapped);
+  EXPECT_TRUE(carried_to(reflect(kTruth)).displaced);
+  EXPECT_FALSE(carried_to(Pose2(kTruth.position.x() + 0.05, kTruth.position.y(), kTruth.rotation)).displaced);
 }
 
 TEST(Trial, InASymmetricRoomHasNotFailedIfTheRobotReportsSymmetry) {
@@ -204,9 +204,9 @@ TEST(Trial, ReportsTheCommandThatCorrectedTheBelief) {
   trial.reorient(Reorientation::flip_pose, kTruth, reflect(kTruth));
   trial.reorient(Reorientation::flip_pose, reflect(kTruth), kTruth);
   const TrialResult& result = trial.result();
-  ASSERT_TRUE(result.mended_after);
-  EXPECT_NEAR(*result.mended_after, 4.1, 1e-9);
-  EXPECT_EQ(result.mended_by, Reorientation::flip_pose);
+  ASSERT_TRUE(result.corrected_after);
+  EXPECT_NEAR(*result.corrected_after, 4.1, 1e-9);
+  EXPECT_EQ(result.corrected_by, Reorientation::flip_pose);
   EXPECT_EQ(result.flips, 3);
   EXPECT_EQ(result.false_flips, 1);
   EXPECT_EQ(result.purges, 1);

@@ -89,7 +89,7 @@ std::vector<std::string> numbers_of(const Reference& reference) {
 std::vector<std::string> numbers_beside(const Row& row) {
   return {std::to_string(row.disturbed),        share_text(row.flip, row.disturbed),
           share_text(row.purge, row.disturbed), failed_share(row),
-          mean_and_interval(row.mended),        fixed(row.flip_time.mean, 1),
+          mean_and_interval(row.by_command),    fixed(row.flip_time.mean, 1),
           fixed(row.purge_time.mean, 1)};
 }
 
@@ -124,7 +124,7 @@ void draw_table_of_rows(Markup& out, const Report& report) {
         cell.choices,
         {std::to_string(row.trials), failed_share(row), mean_and_interval(row.right),
          quantile_text(row.right_median, row.disturbed, limit), quantile_text(row.right_p90, row.disturbed, limit),
-         mean_and_interval(row.mended), share_text(row.flip, row.disturbed), share_text(row.purge, row.disturbed)},
+         mean_and_interval(row.by_command), share_text(row.flip, row.disturbed), share_text(row.purge, row.disturbed)},
         kind);
   };
   for (std::size_t i = 0; i < report.cells.size(); ++i) add(report.cells[i], limit_of(report, i), "");

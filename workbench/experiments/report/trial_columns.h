@@ -19,10 +19,10 @@ void visit_columns(Visit&& visit, const TrialResult& trial) {
   visit("failed", trial.failed());
   visit("measured_s", trial.seconds);
   visit("right_after_s", trial.right_after);
-  visit("mended_after_s", trial.mended_after);
-  visit("mended_by", trial.mended_by ? std::optional(std::string(to_string(*trial.mended_by))) : std::nullopt);
+  visit("corrected_after_s", trial.corrected_after);
+  visit("corrected_by", trial.corrected_by ? std::optional(std::string(to_string(*trial.corrected_by))) : std::nullopt);
   visit("usable_after_s", trial.usable_after);
-  visit("kidnapped", trial.kidnapped);
+  visit("displaced", trial.displaced);
   visit("flips", trial.flips);
   visit("purges", trial.purges);
   visit("resets", trial.resets);

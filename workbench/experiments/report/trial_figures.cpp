@@ -90,7 +90,7 @@ void draw_trial(Markup& out, const Report& report, const ShownTrial& shown) {
     const PlotAxis time{"time, s", 0.0, std::max(1.0, trial.seconds), 6, false};
     Plot plot(out, shown.role + " trial: " + end, time, {"confidence", 0.0, highest, 4, false});
     shade_wrong_belief(plot, trial);
-    if (trial.mended_after) plot.moment(*trial.mended_after, reorientation_word(trial.mended_by));
+    if (trial.corrected_after) plot.moment(*trial.corrected_after, reorientation_word(trial.corrected_by));
     plot.line(values_of(trial, &ConfidenceSample::current), "s0");
     plot.line(values_of(trial, &ConfidenceSample::opposite), "s1");
   }

@@ -4,8 +4,8 @@
 namespace reorient {
 
 Outcome outcome_of(const TrialResult& result) {
-  return {result.seed,         result.disturbed(), result.failed(),   result.right_after,
-          result.mended_after, result.mended_by,   result.false_flips};
+  return {result.seed,         result.disturbed(), result.failed(), result.right_after, result.corrected_after,
+          result.corrected_by, result.false_flips};
 }
 
 std::vector<Outcome> outcomes_of(const std::vector<TrialResult>& results) {

@@ -15,9 +15,9 @@ struct Outcome {
   std::uint64_t seed = 0;
   bool disturbed = false;  ///< the belief was wrong at the start
   bool failed = false;
-  std::optional<double> right_after;   ///< from when on the belief was right and stayed so
-  std::optional<double> mended_after;  ///< time of the command that corrected the belief; nothing: no command did
-  std::optional<Reorientation> mended_by;
+  std::optional<double> right_after;      ///< from when on the belief was right and stayed so
+  std::optional<double> corrected_after;  ///< time of the command that corrected the belief; nothing: no command did
+  std::optional<Reorientation> corrected_by;
   int false_flips = 0;
 };
 

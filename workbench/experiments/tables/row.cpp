@@ -22,7 +22,7 @@ std::optional<double> if_known(double value) { return std::isnan(value) ? std::n
 
 Row row_of(const std::vector<TrialResult>& results) {
   Row row;
-  std::vector<double> right, mended, by_flip, by_purge, kidnapped_right, usable;
+  std::vector<double> right, by_command, by_flip, by_purge, displaced_right, usable;
   std::vector<CensoredTime> until_corrected;
   double right_seconds = 0.0, standing_seconds = 0.0, uninformative_seconds = 0.0;
   for (const TrialResult& result : results) {
@@ -36,24 +36,24 @@ Row row_of(const std::vector<TrialResult>& results) {
     standing_seconds += result.right_seconds + result.wrong_seconds;
     uninformative_seconds += result.uninformative_seconds;
     if (result.usable_after) usable.push_back(*result.usable_after);
-    if (result.kidnapped) {
-      ++row.kidnapped;
-      row.kidnapped_failed += result.failed() ? 1 : 0;
-      if (result.right_after) kidnapped_right.push_back(*result.right_after);
+    if (result.displaced) {
+      ++row.displaced;
+      row.displaced_failed += result.failed() ? 1 : 0;
+      if (result.right_after) displaced_right.push_back(*result.right_after);
     }
     if (!result.disturbed()) continue;
     ++row.disturbed;
     row.failed += result.failed() ? 1 : 0;
     row.uninformative += result.failed() && result.ended_uninformative ? 1 : 0;
-    until_corrected.push_back({result.mended_after.value_or(result.seconds), result.mended_after.has_value()});
+    until_corrected.push_back({result.corrected_after.value_or(result.seconds), result.corrected_after.has_value()});
     if (result.right_after) right.push_back(*result.right_after);
-    if (!result.mended_after) continue;
-    mended.push_back(*result.mended_after);
-    row.flip += result.mended_by == Reorientation::flip_pose ? 1 : 0;
-    row.purge += result.mended_by == Reorientation::purge_reflection ? 1 : 0;
-    row.reset += result.mended_by == Reorientation::reset_orientation ? 1 : 0;
-    if (result.mended_by == Reorientation::flip_pose) by_flip.push_back(*result.mended_after);
-    if (result.mended_by == Reorientation::purge_reflection) by_purge.push_back(*result.mended_after);
+    if (!result.corrected_after) continue;
+    by_command.push_back(*result.corrected_after);
+    row.flip += result.corrected_by == Reorientation::flip_pose ? 1 : 0;
+    row.purge += result.corrected_by == Reorientation::purge_reflection ? 1 : 0;
+    row.reset += result.corrected_by == Reorientation::reset_orientation ? 1 : 0;
+    if (result.corrected_by == Reorientation::flip_pose) by_flip.push_back(*result.corrected_after);
+    if (result.corrected_by == Reorientation::purge_reflection) by_purge.push_back(*result.corrected_after);
   }
   constexpr double kHour = 3600.0;  // s
   row.failed_rate = wilson_interval(row.failed, row.disturbed);
@@ -61,11 +61,11 @@ Row row_of(const std::vector<TrialResult>& results) {
   const std::vector<SurvivalStep> curve = kaplan_meier(times_until_right(results));
   row.right_median = if_known(time_by_which(curve, 0.5));
   row.right_p90 = if_known(time_by_which(curve, 0.9));
-  row.mended = time_row(mended);
-  const std::vector<SurvivalStep> mended_curve = kaplan_meier(until_corrected);
-  row.mended_median = if_known(time_by_which(mended_curve, 0.5));
-  row.mended_p90 = if_known(time_by_which(mended_curve, 0.9));
-  row.kidnapped_right = time_row(kidnapped_right);
+  row.by_command = time_row(by_command);
+  const std::vector<SurvivalStep> by_command_curve = kaplan_meier(until_corrected);
+  row.command_median = if_known(time_by_which(by_command_curve, 0.5));
+  row.command_p90 = if_known(time_by_which(by_command_curve, 0.9));
+  row.displaced_right = time_row(displaced_right);
   row.usable = time_row(usable);
   row.flip_time = time_row(by_flip);
   row.purge_time = time_row(by_purge);

@@ -33,9 +33,9 @@ struct Row {
   int flip = 0;   ///< disturbed trials whose belief was first corrected by a flip
   int purge = 0;  ///< the same by a purge
   int reset = 0;
-  TimeRow mended;                       ///< time until the command that corrects the belief: the paper's measure
-  std::optional<double> mended_median;  ///< with the trials without one as later than all others
-  std::optional<double> mended_p90;
+  TimeRow by_command;                    ///< time until the command that corrects the belief: the paper's measure
+  std::optional<double> command_median;  ///< with the trials without one as later than all others
+  std::optional<double> command_p90;
   TimeRow flip_time;
   TimeRow purge_time;
   int flips = 0;  ///< commands in all trials
@@ -44,9 +44,9 @@ struct Row {
   int false_purges = 0;
   double right_hours = 0.0;  ///< for which the belief was right
   Interval false_flip_rate;  ///< per right hour; 0 to infinity where there are none
-  int kidnapped = 0;         ///< trials whose robot was moved to another place while lifted
-  int kidnapped_failed = 0;  ///< of those
-  TimeRow kidnapped_right;   ///< as `right`, of those
+  int displaced = 0;         ///< trials whose robot was moved to another place while lifted
+  int displaced_failed = 0;  ///< of those
+  TimeRow displaced_right;   ///< as `right`, of those
   TimeRow usable;            ///< time until the room distinguished the two poses, of the trials in which it did
   int uninformative = 0;     ///< of the failed: in the end the robot took its room for symmetric
   /// Share of the time in which the robot stood that it took its room for symmetric; nothing where it never stood.

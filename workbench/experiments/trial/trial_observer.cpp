@@ -29,7 +29,7 @@ void TrialObserver::watch_carrying(const SceneTruth& scene) {
   for (const OperatorAction& action : scene.scenario.actions) {
     if (action.kind == OperatorAction::Kind::pick_up && scene.truth) picked_up_at_ = scene.truth->pose;
     if (action.kind != OperatorAction::Kind::put_down || !picked_up_at_) continue;
-    if (!is_correct(action.pose, *picked_up_at_)) result_.kidnapped = true;
+    if (!is_correct(action.pose, *picked_up_at_)) result_.displaced = true;
     picked_up_at_.reset();
   }
 }
@@ -85,9 +85,9 @@ void TrialObserver::judge_reorientation(const ReorientationRecord& record, const
   result_.resets += record.reorientation == Reorientation::reset_orientation ? 1 : 0;
   result_.false_flips += is_flip && was_correct ? 1 : 0;
   result_.false_purges += is_purge && !is_correct(record.belief_after.pose, truth.pose) && was_correct ? 1 : 0;
-  if (result_.mended_after || was_correct || !is_correct(record.belief_after.pose, truth.pose)) return;
-  result_.mended_after = time;
-  result_.mended_by = record.reorientation;
+  if (result_.corrected_after || was_correct || !is_correct(record.belief_after.pose, truth.pose)) return;
+  result_.corrected_after = time;
+  result_.corrected_by = record.reorientation;
 }
 
 void TrialObserver::sample(const World& world, bool correct, bool reflected, double time) {

@@ -44,10 +44,10 @@ struct TrialResult {
 
   std::optional<double>
       right_after;  ///< time from which the belief was right and stayed right for the required duration
-  std::optional<double> mended_after;  ///< the first command that corrected a wrong belief: the paper's measure
-  std::optional<Reorientation> mended_by;
+  std::optional<double> corrected_after;  ///< the first command that corrected a wrong belief: the paper's measure
+  std::optional<Reorientation> corrected_by;
   std::optional<double> usable_after;  ///< time from which the room distinguished the two poses
-  bool kidnapped = false;              ///< the robot was moved to another place while lifted, even before the clock
+  bool displaced = false;              ///< the robot was moved to another place while lifted, even before the clock
 
   int flips = 0;
   int purges = 0;
@@ -76,10 +76,10 @@ void visit_named_values(Visit&& visit, Result& result) {
   visit("seconds", result.seconds);
   visit("correct_at_start", result.correct_at_start);
   visit("right_after", result.right_after);
-  visit("mended_after", result.mended_after);
-  visit("mended_by", result.mended_by);
+  visit("corrected_after", result.corrected_after);
+  visit("corrected_by", result.corrected_by);
   visit("usable_after", result.usable_after);
-  visit("kidnapped", result.kidnapped);
+  visit("displaced", result.displaced);
   visit("flips", result.flips);
   visit("purges", result.purges);
   visit("resets", result.resets);

@@ -95,7 +95,7 @@ class TestBench {
   bool step_replay();
   void require_fake_world(const char* what) const;
   void require_budget(lua_State* L);
-  void require_state(std::string_view machine, std::string_view path);
+  std::string known_state(std::string_view machine, std::string_view path);
   void read_machines();
   void fail(const std::string& expected, const std::string& actual);
   void fail(const std::string& text);

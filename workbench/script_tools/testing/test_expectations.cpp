@@ -4,6 +4,9 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
+
+#include <spdlog/spdlog.h>
 
 #include "engine/parameters/nearest_name.h"
 #include "workbench/script_tools/testing/test_bench.h"
@@ -13,6 +16,10 @@ namespace reorient {
 namespace {
 
 constexpr double kTolerance = 1e-6;
+
+/// States of `orientation` that have a new name.
+constexpr std::pair<std::string_view, std::string_view> kFormerStates[] = {
+    {"watching/in doubt", "watching/unconfirmed"}, {"watching/in peace", "watching/confirmed"}};
 
 std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
@@ -36,22 +43,29 @@ void require_name(std::string_view what, std::string_view name) {
 
 }  // namespace
 
-/// Throws if the machine is loaded and does not have this state.
-void TestBench::require_state(std::string_view machine, std::string_view path) {
+/// The path of a state as it is called now; warns of a former name. Throws if the machine is loaded and does not have
+/// this state.
+std::string TestBench::known_state(std::string_view machine, std::string_view path) {
   std::vector<const MachineDefinition*> all = replay_ ? replay_->machines() : behaviors().host().definitions();
   if (scenario_) {
     for (const MachineDefinition* definition : scenario_->machines()) all.push_back(definition);
   }
   for (const MachineDefinition* definition : all) {
     if (definition->name != machine || definition->find(std::string(path)) >= 0) continue;
+    for (const auto& [former, present] : kFormerStates) {
+      if (path != former || definition->find(std::string(present)) < 0) continue;
+      spdlog::warn("{} is a former name: use {}", in_quotes(former), in_quotes(present));
+      return std::string(present);
+    }
     std::vector<std::string> paths;
     for (const StateDefinition& state : definition->states) paths.push_back(state.path);
     throw std::runtime_error(std::string(machine) + ": unknown state " + in_quotes(path) + did_you_mean(path, paths));
   }
+  return std::string(path);
 }
 
-void TestBench::expect_state(std::string_view machine, std::string_view path) {
-  require_state(machine, path);
+void TestBench::expect_state(std::string_view machine, std::string_view expected) {
+  const std::string path = known_state(machine, expected);
   for (const SeenMachine& seen : seen_.machines) {
     if (seen.name != machine) continue;
     if (seen.state != path)
