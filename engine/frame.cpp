@@ -110,7 +110,7 @@ void FrameLoop::take_external_inputs(const ExternalInputs& external, bool has_ex
 void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
   record_.inputs.initial_pose = initial;
   if (repeated_pose_.note_set(initial.pose, world().pose.pose, world().time, parameters_.repeated_pose) && room_) {
-    room_->turn_half();
+    room_->rotate_by_180_degrees();
     record_.logs.push_back({0, 0, "a set pose undoes a flip: the learned room is rotated by 180 degrees", 0, true});
   }
   // It is newer than the last belief of the external localization.
@@ -126,7 +126,7 @@ void FrameLoop::change_sides() {
   carried_.world.change_sides();
   localizer_.flip_pose();
   repeated_pose_.forget();
-  if (room_) room_->turn_half();
+  if (room_) room_->rotate_by_180_degrees();
 }
 
 /// A robot that fell or was lifted may stand elsewhere, so earlier observations are not valid.

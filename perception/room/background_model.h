@@ -75,7 +75,7 @@ class BackgroundModel {
   void train(int tile, const ColorHistogram& measured, const TrainingStep& how);
   void train_light(int tile, const RelativeLight& measured, const TrainingStep& how);
   /// Rotates the field's axes by 180 degrees: exchanges each tile with its reflection.
-  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
+  void rotate_by_180_degrees(const Wall& wall) { wall.rotate_by_180_degrees(std::span(tiles_)); }
 
   std::span<const TileModel> tiles() const { return tiles_; }
   /// Number of tiles that were ever seen.

@@ -142,7 +142,7 @@ void RoomAwareness::on_flip() {
 void RoomAwareness::reflect_evidence() {
   evidence_.reflect(wall_);
   pose_lights_.reflect(wall_);
-  views_.turn_half();
+  views_.rotate_by_180_degrees();
   take_evidence();
 }
 
@@ -173,15 +173,15 @@ void RoomAwareness::restart() {
   last_direction_.reset();
 }
 
-void RoomAwareness::turn_half() {
-  model_.turn_half(wall_);
+void RoomAwareness::rotate_by_180_degrees() {
+  model_.rotate_by_180_degrees(wall_);
   compared_model_.clear();
-  separability_.turn_half();
-  light_.turn_half(wall_);
-  pose_lights_.turn_half(wall_);
-  evidence_.turn_half(wall_);
-  views_.turn_half();
-  filter_.turn_half();
+  separability_.rotate_by_180_degrees();
+  light_.rotate_by_180_degrees(wall_);
+  pose_lights_.rotate_by_180_degrees(wall_);
+  evidence_.rotate_by_180_degrees(wall_);
+  views_.rotate_by_180_degrees();
+  filter_.rotate_by_180_degrees();
   std::swap(confidences_.goal_own, confidences_.goal_opponent);
   if (view_center_) view_center_ = opposite(*view_center_);
 }

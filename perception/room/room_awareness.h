@@ -90,7 +90,7 @@ class RoomAwareness {
   /// The teams change sides: the axes rotate by 180 degrees, and the belief with them. All observations refer to the
   /// same positions under their new coordinates. The confidences are unchanged. Applying it twice is the identity. Also
   /// used if a room was learned with the axes mirrored; then restart() follows, since the belief does not rotate.
-  void turn_half();
+  void rotate_by_180_degrees();
 
   /// Forgets the model, the view filter's belief, the confidences and the light. The random number generator continues.
   void forget();

@@ -45,7 +45,7 @@ struct SavedModel {
   std::optional<KnownBias> camera_bias{};
 
   /// Rotates the field's axes by 180 degrees.
-  void turn_half() { model.turn_half(Wall(basis.wall)); }
+  void rotate_by_180_degrees() { model.rotate_by_180_degrees(Wall(basis.wall)); }
 };
 
 /// The error for a model that was learned on another basis than the required one.

@@ -146,7 +146,7 @@ void Separability::summarize() {
   probability_ = 1.0 / (1.0 + pinned::exp(-kLogistic * deviations));
 }
 
-void Separability::turn_half() {
+void Separability::rotate_by_180_degrees() {
   // Each column and its reflection are compared with all others, so only their sums are exchanged.
   std::rotate(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(columns_.size() / 2), columns_.end());
   const int columns = static_cast<int>(columns_.size());

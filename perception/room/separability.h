@@ -39,7 +39,7 @@ class Separability {
   /// seconds old.
   void observe(const ComparedModel& model, const Wall& wall);
   /// Rotates the field's axes by 180 degrees.
-  void turn_half();
+  void rotate_by_180_degrees();
 
   /// Probability, 0 to 1, that the room distinguishes a pose from its reflection: that s is above 0.6.
   double probability() const { return probability_; }

@@ -112,7 +112,7 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
   if (is_same(two.first, two.second))  // the same observations would count twice
     throw std::runtime_error("A and B are the same model: " + options.first.string() + ", " + options.second.string() +
                              "; name two models");
-  if (options.sides_changed) two.second.turn_half();
+  if (options.sides_changed) two.second.rotate_by_180_degrees();
   const ModelComparison comparison = compare(two.first, two.second);
   if (comparison.is_turned()) {
     throw std::runtime_error(fmt::format(

@@ -48,15 +48,15 @@ int info(const std::filesystem::path& file, std::ostream& out) {
 
   std::uint64_t frames = 0, exact = 0;
   double first = 0.0, last = 0.0;
-  bool goes_on = false;  // without a gap since a saved state
+  bool continues = false;  // without a gap since a saved state
   RecordedFrame frame;
   const bool can_be_read = recording.format() == kRecordingFormat;
   if (!can_be_read) recording.count_messages();
   while (can_be_read && recording.next(frame)) {
     if (frames++ == 0) first = frame.entry.time;
     last = frame.entry.time;
-    goes_on = frame.entry.is_exact() && (!frame.state.empty() || (goes_on && frame.follows));
-    exact += goes_on ? 1 : 0;
+    continues = frame.entry.is_exact() && (!frame.state.empty() || (continues && frame.follows));
+    exact += continues ? 1 : 0;
   }
   if (can_be_read) {
     out << fmt::format("{}, {:.2f} to {:.2f} s of the robot; {} can be replayed exactly\n", counted(frames, "frame"),

@@ -41,7 +41,7 @@ std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
   if (is_forgotten_) return std::nullopt;
   kept_ = Kept{model.basis, known_tiles};
   any_news_ = true;
-  if (sides_changed_ != frame.world.sides_changed) model.turn_half();
+  if (sides_changed_ != frame.world.sides_changed) model.rotate_by_180_degrees();
   return model;
 }
 

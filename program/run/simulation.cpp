@@ -95,7 +95,7 @@ std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) 
     return std::nullopt;
   try {
     SavedModel model = read_model_file(options.model);
-    if (options.sides_changed) model.turn_half();
+    if (options.sides_changed) model.rotate_by_180_degrees();
     return model;
   } catch (const std::runtime_error& reason) {
     throw std::runtime_error(name + reason.what() + "; it was not changed; name a new file or a valid copy");

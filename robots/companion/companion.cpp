@@ -81,13 +81,13 @@ const Handshake* Companion::wait_for_handshake() {
   return &*handshake_;
 }
 
-void Companion::begin(const Handshake& handshake, bool goes_on, int behaviors) {
+void Companion::begin(const Handshake& handshake, bool continues, int behaviors) {
   engine_for_ = handshake;
-  goes_on_ = goes_on;
+  continues_ = continues;
   behaviors_ = behaviors;
   states_.clear();
   command_.withdraw();  // it was requested by another engine
-  if (!goes_on) pending_.begin_axes();
+  if (!continues) pending_.begin_axes();
   meet();
 }
 
@@ -96,9 +96,9 @@ void Companion::meet() {
   if (!handshake_ || !engine_for_) return;
   has_other_robot_ = identity_of(*handshake_) != identity_of(*engine_for_);
   if (has_other_robot_ || welcomed_) return;
-  welcomed_ = connection_.send(
-      REORIENT_WELCOME, reorient_welcome{options_.server, goes_on_ ? 1u : 0u, static_cast<std::uint32_t>(behaviors_)});
-  goes_on_ = true;  // the next client connects to an engine that has a state
+  welcomed_ = connection_.send(REORIENT_WELCOME, reorient_welcome{options_.server, continues_ ? 1u : 0u,
+                                                                  static_cast<std::uint32_t>(behaviors_)});
+  continues_ = true;  // the next client connects to an engine that has a state
 }
 
 bool Companion::observe(Observation& observation) {

@@ -45,8 +45,8 @@ class Companion : public Robot, private Receiver {
 
   /// Waits for the hello of a client. Returns nullptr if the run is over.
   const Handshake* wait_for_handshake();
-  /// Call after an engine was created for `handshake`. `goes_on`: it continues from the state of an earlier engine.
-  void begin(const Handshake& handshake, bool goes_on, int behaviors);
+  /// Call after an engine was created for `handshake`. `continues`: it continues from the state of an earlier engine.
+  void begin(const Handshake& handshake, bool continues, int behaviors);
   /// Refuses a client for which no engine can be created, and disconnects it.
   void refuse(const std::string& why) { connection_.refuse(why, *this); }
 
@@ -111,7 +111,7 @@ class Companion : public Robot, private Receiver {
   std::optional<Handshake> handshake_;   ///< of the connected client
   std::optional<Handshake> engine_for_;  ///< empty until an engine exists
   bool has_other_robot_ = false;         ///< the identities of these two differ
-  bool goes_on_ = false;
+  bool continues_ = false;
   int behaviors_ = 0;
   bool welcomed_ = false;
   std::array<std::optional<SharedImages>, 2> shared_;

@@ -234,7 +234,7 @@ struct reorient_game {
 
 struct reorient_welcome {
   uint64_t server;    /* random number, drawn when the server starts */
-  uint32_t goes_on;   /* 1: the server continues from its state; 0: it starts without knowledge */
+  uint32_t continues; /* 1: the server continues from its state; 0: it starts without knowledge */
   uint32_t behaviors; /* number of behaviors that run */
 };
 

@@ -153,14 +153,14 @@ TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
 }
 
 /// Whether it is welcomed to what was known before; nothing: its frames are not answered.
-std::optional<bool> goes_on(const std::string& socket, const reorient_hello& hello) {
+std::optional<bool> continues(const std::string& socket, const reorient_hello& hello) {
   RawClient client(socket);
   client.introduce(hello);
   std::optional<bool> welcomed;
   std::uint64_t number = 0;
   const auto is_answered = [&] {
     for (const RawClient::Heard& one : client.hear()) {
-      if (one.kind == REORIENT_WELCOME) welcomed = one.as<reorient_welcome>().goes_on != 0;
+      if (one.kind == REORIENT_WELCOME) welcomed = one.as<reorient_welcome>().continues != 0;
       if (one.kind == REORIENT_ANSWER) return true;
     }
     ++number;
@@ -176,16 +176,16 @@ TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
   const reorient_hello one = small_hello(1);
   reorient_hello other = small_hello(2);
   other.body.yaw_limit = 0.5;
-  EXPECT_EQ(goes_on(socket(), one), false);
+  EXPECT_EQ(continues(socket(), one), false);
   {
     RawClient curious(socket());
     curious.introduce(other);
   }
-  EXPECT_EQ(goes_on(socket(), one), true) << "who only says hello changes nothing";
+  EXPECT_EQ(continues(socket(), one), true) << "who only says hello changes nothing";
   EXPECT_FALSE(std::filesystem::exists(socket() + ".state.other"));
-  EXPECT_EQ(goes_on(socket(), other), false);
-  EXPECT_EQ(goes_on(socket(), one), true) << companion.err();
-  EXPECT_EQ(goes_on(socket(), other), true) << companion.err();
+  EXPECT_EQ(continues(socket(), other), false);
+  EXPECT_EQ(continues(socket(), one), true) << companion.err();
+  EXPECT_EQ(continues(socket(), other), true) << companion.err();
   companion.kill(SIGTERM);
   companion.wait();
   const std::string state = socket() + ".state";
@@ -195,7 +195,7 @@ TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
   ASSERT_EQ(chown(state.c_str(), 12345, 12345), 0);
   const ChildProgram again(folder_.path(), server());
   ASSERT_TRUE(again.await("waiting for a client")) << again.err();
-  EXPECT_EQ(goes_on(socket(), other), false) << again.err();
+  EXPECT_EQ(continues(socket(), other), false) << again.err();
   EXPECT_TRUE(again.await("belongs to another user")) << again.err();
 }
 
@@ -323,7 +323,7 @@ TEST_F(CompanionClient, StartsWithoutKnowledgeAfterASideChange) {
   const auto welcomed = [&](bool sides_changed) {
     ChildProgram companion(folder_.path(), begin(sides_changed));
     EXPECT_TRUE(companion.await("waiting for a client")) << companion.err();
-    const std::optional<bool> knew = goes_on(socket(), small_hello(1));
+    const std::optional<bool> knew = continues(socket(), small_hello(1));
     companion.kill(SIGTERM);
     companion.wait();
     return knew;

@@ -26,7 +26,7 @@ std::vector<std::byte> written(const SavedModel& model) {
 
 void try_with_another(const SavedModel& model) {
   SavedModel turned = model;
-  turned.turn_half();
+  turned.rotate_by_180_degrees();
   for (const ModelComparison& comparison : {compare(model, model), compare(model, turned)}) {
     for (const TileDifference& tile : comparison.tiles)
       require(tile.distance >= 0.0 && tile.distance <= 1.0, "a distance is between 0 and 1");
@@ -35,7 +35,7 @@ void try_with_another(const SavedModel& model) {
   const SavedModel both = merged(model, turned);
   require(written(both) == written(merged(turned, model)), "the order of two models does not matter");
   require(written(read_model(written(both))) == written(both), "two merged models are a valid model");
-  turned.turn_half();
+  turned.rotate_by_180_degrees();
   require(written(turned) == written(model), "two rotations by 180 degrees change nothing");
 }
 

@@ -90,7 +90,7 @@ TEST_F(RunWithAModel, ThatLearnsNothingLeavesTheFileAsItIs) {
 TEST_F(RunWithAModel, TurnsItWhereTheSidesHaveChanged) {
   const SavedModel model = some_model(1);
   SavedModel turned = model;
-  turned.turn_half();
+  turned.rotate_by_180_degrees();
   const std::string one = file_of(model, "one"), other = file_of(turned, "other");
   EXPECT_EQ(digest_of(run_shortly({"--model", one, "--sides-changed"})), digest_of(run_shortly({"--model", other})));
 }
@@ -204,7 +204,7 @@ TEST_F(ModelKeeperTest, LosesLittleWhereTheRobotIsSwitchedOff) {
 TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhateverTheTeamsDo) {
   const SavedModel in_the_file = some_model(1);
   SavedModel turned = in_the_file;
-  turned.turn_half();
+  turned.rotate_by_180_degrees();
   for (const bool turned_at_first : {false, true}) {
     for (const bool half_time : {false, true}) {
       ModelKeeper keeper(file, turned_at_first ? turned : in_the_file, turned_at_first);
@@ -305,7 +305,7 @@ TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
 TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
   const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
   SavedModel half_a_turn_on = some_model(1, 1);
-  half_a_turn_on.turn_half();
+  half_a_turn_on.rotate_by_180_degrees();
   const std::string turned = file_of(half_a_turn_on, "turned");
   const ProgramRun same = model({"compare", one, other});
   EXPECT_EQ(same.code, kSuccess) << same.err;
@@ -319,7 +319,7 @@ TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
 TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
   const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
   SavedModel half_a_turn_on = some_model(1, 1);
-  half_a_turn_on.turn_half();
+  half_a_turn_on.rotate_by_180_degrees();
   const std::string turned = file_of(half_a_turn_on, "turned"), both = (folder.path() / "both").string();
   const ProgramRun done = model({"merge", one, other, "--out", both});
   EXPECT_EQ(done.code, kSuccess) << done.err;

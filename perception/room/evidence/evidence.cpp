@@ -61,7 +61,7 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
 }
 
 void Evidence::reflect(const Wall& wall) {
-  turn_half(wall);
+  rotate_by_180_degrees(wall);
   for (SeenTile& tile : tiles_) tile.score = -tile.score;
   log_odds_ = -log_odds_;
 }

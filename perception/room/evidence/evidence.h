@@ -74,7 +74,7 @@ class Evidence {
   /// After a flip, the tiles exchange their roles, and the evidence changes its sign.
   void reflect(const Wall& wall);
   /// Rotates the field's axes by 180 degrees.
-  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
+  void rotate_by_180_degrees(const Wall& wall) { wall.rotate_by_180_degrees(std::span(tiles_)); }
 
   /// 0: no evidence; log(99): 99 in 100 for the reflection.
   double log_odds() const { return log_odds_; }

@@ -21,7 +21,7 @@ void ViewChooser::restart(int columns) {
   views_ = {};
 }
 
-void ViewChooser::turn_half() {
+void ViewChooser::rotate_by_180_degrees() {
   const auto half = viewing_times_.begin() + static_cast<std::ptrdiff_t>(viewing_times_.size() / 2);
   std::swap_ranges(viewing_times_.begin(), half, half);
 }

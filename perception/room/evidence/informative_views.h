@@ -56,7 +56,7 @@ class ViewChooser {
                                  const Isometry3& robot_from_camera, double step, double least_incidence,
                                  const ViewParameters& parameters);
   /// Renumbers the columns after a flip, or after a rotation of the field's axes by 180 degrees.
-  void turn_half();
+  void rotate_by_180_degrees();
 
   const InformativeViews& views() const { return views_; }
 

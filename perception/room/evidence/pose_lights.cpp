@@ -52,7 +52,7 @@ Light PoseLights::estimate(const Light& mean, const BackgroundModel& model, cons
 }
 
 void PoseLights::reflect(const Wall& wall) {
-  turn_half(wall);
+  rotate_by_180_degrees(wall);
   std::swap(if_believed_, if_reflected_);
 }
 

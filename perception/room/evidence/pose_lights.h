@@ -46,7 +46,7 @@ class PoseLights {
   /// Exchanges the two lights after a flip.
   void reflect(const Wall& wall);
   /// Rotates the field's axes by 180 degrees.
-  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
+  void rotate_by_180_degrees(const Wall& wall) { wall.rotate_by_180_degrees(std::span(tiles_)); }
 
   const Light& if_believed() const { return if_believed_; }
   const Light& if_reflected() const { return if_reflected_; }

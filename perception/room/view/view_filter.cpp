@@ -22,9 +22,9 @@ bool ViewFilter::is_made_for(const ViewFilterParameters& parameters) const {
   return method_ == parameters.method && parts == static_cast<std::size_t>(expected);
 }
 
-void ViewFilter::turn_half() {
-  particles_.turn_half();
-  grid_.turn_half();
+void ViewFilter::rotate_by_180_degrees() {
+  particles_.rotate_by_180_degrees();
+  grid_.rotate_by_180_degrees();
   for (ViewCluster& cluster : clusters_) cluster.azimuth = opposite(cluster.azimuth);
 }
 

@@ -26,7 +26,7 @@ class ViewFilter {
   /// Whether the belief has the method and the resolution of the parameters.
   bool is_made_for(const ViewFilterParameters& parameters) const;
   /// Rotates the field's axes by 180 degrees.
-  void turn_half();
+  void rotate_by_180_degrees();
   /// Moves the belief by the camera's measured rotation `motion` (rad), and blurs it by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
   /// Moves the belief toward good scores. `view_center`: azimuth of the camera according to the believed pose, rad.

@@ -25,7 +25,7 @@ ViewCell ViewGrid::cell(std::size_t i) const {
   return {to_azimuth(first_ + static_cast<double>(i) * width()), shares_[i]};
 }
 
-void ViewGrid::turn_half() { first_ = opposite(first_); }
+void ViewGrid::rotate_by_180_degrees() { first_ = opposite(first_); }
 
 /// Checks values after reading.
 void ViewGrid::check(std::size_t count) const {

@@ -32,7 +32,7 @@ class ViewGrid {
   /// This number of cells, all with the same fraction.
   void spread(int cells);
   /// Rotates the field's axes by 180 degrees.
-  void turn_half();
+  void rotate_by_180_degrees();
   /// Moves the belief by `motion` (rad) and blurs it by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
   /// Applies Bayes' rule with the likelihood exp(-sharpness step (distance - least)), then the leak: with a small

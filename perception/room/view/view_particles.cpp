@@ -47,7 +47,7 @@ void ViewParticles::spread(int particles) {
   }
 }
 
-void ViewParticles::turn_half() {
+void ViewParticles::rotate_by_180_degrees() {
   for (ViewParticle& particle : particles_) particle.azimuth = opposite(particle.azimuth);
 }
 

@@ -31,7 +31,7 @@ class ViewParticles {
   /// This number of particles, evenly distributed over all azimuths.
   void spread(int particles);
   /// Rotates the field's axes by 180 degrees.
-  void turn_half();
+  void rotate_by_180_degrees();
   /// Moves all particles by `motion` (rad) and scatters them by the noise of `step` seconds.
   void predict(double motion, double step, const ViewFilterParameters& parameters);
   /// Weights, resamples (systematically) and injects particles at the best match. `view_center`: azimuth of the camera

@@ -85,7 +85,7 @@ class LightAdaptation {
   /// Resets the light for a wall with this many tiles.
   void restart(int tiles);
   /// Rotates the field's axes by 180 degrees.
-  void turn_half(const Wall& wall) { wall.turn_half(std::span(tiles_)); }
+  void rotate_by_180_degrees(const Wall& wall) { wall.rotate_by_180_degrees(std::span(tiles_)); }
   /// Neutral until something was seen.
   const Light& light() const { return light_; }
 

@@ -71,7 +71,7 @@ class Wall {
   /// Exchanges the element of each tile with that of its reflection. Applying it twice is the identity. `of_tiles`: one
   /// element for each tile.
   template <typename T>
-  void turn_half(std::span<T> of_tiles) const {
+  void rotate_by_180_degrees(std::span<T> of_tiles) const {
     for (int tile = 0; tile < tiles(); ++tile) {
       if (const int other = reflected(tile); tile < other)
         std::swap(of_tiles[static_cast<std::size_t>(tile)], of_tiles[static_cast<std::size_t>(other)]);

@@ -155,7 +155,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     std::optional<StateKeeper> kept;
     std::unique_ptr<FrameLoop> engine;
     std::size_t behaviors = 0;
-    bool goes_on = false;
+    bool continues = false;
     try {
       FrameSetup setup = setup_for(handshake, options, edits.texts());
       setup.model = model;
@@ -163,8 +163,8 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       kept.emplace(state, circumstances_of(handshake, setup, options));
       std::string why_not;
       if (!fresh) engine = kept->restore(companion, why_not);
-      goes_on = engine != nullptr;
-      if (goes_on) edits.add_missed(engine->scripts());
+      continues = engine != nullptr;
+      if (continues) edits.add_missed(engine->scripts());
       if (!why_not.empty()) spdlog::warn("{}: state not used: {}", state.string(), why_not);
       if (!engine) engine = std::make_unique<FrameLoop>(std::move(setup));
     } catch (const std::exception& error) {
@@ -179,11 +179,11 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     StateKeeper& keeper = *kept;
     fresh = false;
     engine_now = engine.get();
-    companion.begin(handshake, goes_on, static_cast<int>(behaviors));
+    companion.begin(handshake, continues, static_cast<int>(behaviors));
     err << fmt::format("reorient: client connected: {}, field of {:.1f} x {:.1f} m, {} localization, {}, {}\n",
                        handshake.body.name, handshake.field.length, handshake.field.width,
                        handshake.own_localization ? "its own" : "Reorient's", counted(behaviors, "behavior"),
-                       goes_on ? "continues from the saved state" : "starts without knowledge")
+                       continues ? "continues from the saved state" : "starts without knowledge")
         << std::flush;
 
     LiveRun live(options, console, out, err);

@@ -55,9 +55,9 @@ RC_GTEST_PROP(HalfTime, DoneTwiceIsTheIdentityBitForBit, ()) {
   ScanningRobot robot(PaintedRoom::colorful(seed), parameters, seed);
   robot.run(*rc::gen::inRange(0, 8) / 10.0);
   const std::vector<std::byte> before = bytes_of(robot.awareness);
-  robot.awareness.turn_half();
+  robot.awareness.rotate_by_180_degrees();
   RC_ASSERT(bytes_of(robot.awareness) != before);
-  robot.awareness.turn_half();
+  robot.awareness.rotate_by_180_degrees();
   RC_ASSERT(bytes_of(robot.awareness) == before);
 }
 
@@ -66,7 +66,7 @@ TEST(HalfTime, GivesTheModelThatIsLearnedFromRotatedPoses) {
   turned.belief = reflect(turned.truth);
   robot.run(10.0);
   turned.run(10.0);
-  robot.awareness.turn_half();
+  robot.awareness.rotate_by_180_degrees();
   for (int tile = 0; tile < robot.awareness.wall().tiles(); ++tile) {
     const TileModel& one = robot.awareness.model()[tile];
     const TileModel& other = turned.awareness.model()[tile];
@@ -85,7 +85,7 @@ TEST(HalfTime, DoesNotChangeTheConfidencesWithParticles) {
   robot.run(15.0);
   robot.train = false;
   ScanningRobot turned = robot;
-  turned.awareness.turn_half();
+  turned.awareness.rotate_by_180_degrees();
   turned.belief = reflect(turned.belief);
   EXPECT_EQ(turned.awareness.confidences().current, robot.awareness.confidences().current);
   EXPECT_EQ(turned.awareness.confidences().age, robot.awareness.confidences().age);
@@ -111,7 +111,7 @@ TEST(HalfTime, DoesNotChangeTheConfidencesWithAGrid) {
   robot.run(15.0);
   robot.train = false;
   ScanningRobot turned = robot;
-  turned.awareness.turn_half();
+  turned.awareness.rotate_by_180_degrees();
   turned.belief = reflect(turned.belief);
   ASSERT_GT(robot.awareness.confidences().current, 0.5);
   for (int frame = 0; frame < 30; ++frame) {
@@ -135,7 +135,7 @@ TEST(HalfTime, RotatesTheViewParticlesWithTheWall) {
                                          robot.awareness.view_filter().particles().end());
   const std::optional<double> center = robot.awareness.center_of_view();
   ASSERT_TRUE(center);
-  robot.awareness.turn_half();
+  robot.awareness.rotate_by_180_degrees();
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(robot.awareness.view_filter().particles()[i].azimuth, opposite(before[i].azimuth));
     EXPECT_EQ(robot.awareness.view_filter().particles()[i].weight, before[i].weight);

@@ -106,7 +106,7 @@ TEST(ViewChooser, KeepsViewingTimesAfterARotationBy180Degrees) {
     room.choose(0.4);
     turned.choose(0.4);
   }
-  turned.views.turn_half();
+  turned.views.rotate_by_180_degrees();
   const Pose2 reflected(0.0, 0.0, kPi);
   EXPECT_EQ(
       turned.views.choose(turned.wall, turned.compared, reflected, camera_at(0.4), kStep, kLeastIncidence, {}).best_yaw,

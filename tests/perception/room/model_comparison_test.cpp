@@ -45,7 +45,7 @@ RC_GTEST_PROP(ModelComparison, RecognizesTheSameRoomOnAnotherDayRotatedOrNot, ()
   const SavedModel first = some_model(seed, 0);
   SavedModel second = some_model(seed, 1);
   RC_ASSERT(compare(first, second).is_same_way() && !compare(first, second).is_turned());
-  second.turn_half();
+  second.rotate_by_180_degrees();
   RC_ASSERT(compare(first, second).is_turned() && !compare(first, second).is_same_way());
 }
 

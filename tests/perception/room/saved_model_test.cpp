@@ -86,9 +86,9 @@ TEST(SavedModel, OfTheFirstFormatIsReadWithoutAngles) {
 RC_GTEST_PROP(SavedModel, RotatedTwiceBy180DegreesIsUnchanged, ()) {
   SavedModel model = some_model(*rc::gen::arbitrary<std::uint64_t>());
   const ModelBytes before = bytes_of(model);
-  model.turn_half();
+  model.rotate_by_180_degrees();
   RC_ASSERT(bytes_of(model) != before);
-  model.turn_half();
+  model.rotate_by_180_degrees();
   RC_ASSERT(bytes_of(model) == before);
 }
 
@@ -165,7 +165,7 @@ TEST(ModelOfYesterday, RotatedSupportsTheReflection) {
   test::ScanningRobot yesterday(room, {}, 4);
   yesterday.run(30.0);
   SavedModel model = learned_by(yesterday, 30.0);
-  model.turn_half();
+  model.rotate_by_180_degrees();
   test::ScanningRobot today(room, {}, 5);
   today.train = false;
   today.awareness.take_model(model);

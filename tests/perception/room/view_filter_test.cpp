@@ -171,10 +171,10 @@ TEST_P(ViewFilterBy, RotatedTwiceBy180DegreesHasTheSameBits) {
   filter.find_clusters();
   const std::vector<std::byte> before = bytes_of(filter);
   const double near = filter.share_near(0.7, 0.5);
-  filter.turn_half();
+  filter.rotate_by_180_degrees();
   EXPECT_NE(bytes_of(filter), before);
   EXPECT_NEAR(filter.share_near(0.7 + kPi, 0.5), near, 1e-9);
-  filter.turn_half();
+  filter.rotate_by_180_degrees();
   EXPECT_EQ(bytes_of(filter), before);
 }
 

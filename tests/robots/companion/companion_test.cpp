@@ -47,13 +47,13 @@ class CompanionTest : public ::testing::Test {
     return observation;
   }
 
-  RawClient greeted(const reorient_hello& hello = small_hello(), bool goes_on = false) {
+  RawClient greeted(const reorient_hello& hello = small_hello(), bool continues = false) {
     RawClient client(folder_.path() / "socket");
     client.introduce(hello);
     looks_ = 0;
     const Handshake* const handshake = companion_->wait_for_handshake();
     EXPECT_NE(handshake, nullptr);
-    if (handshake != nullptr && !begun_) companion_->begin(*handshake, goes_on, 3);
+    if (handshake != nullptr && !begun_) companion_->begin(*handshake, continues, 3);
     begun_ = true;
     static_cast<void>(observed());  // takes the memory
     return client;

@@ -151,9 +151,9 @@ TEST_F(NaoTest, StandsUpPausesAndEndsByTheChestButton) {
   ASSERT_TRUE(run(5.0));
   const auto press = [this](double seconds) {
     world_.body().press_chest(true);
-    const bool goes_on = run(seconds);
+    const bool continues = run(seconds);
     world_.body().press_chest(false);
-    return goes_on;
+    return continues;
   };
   ASSERT_TRUE(press(0.3));
   ASSERT_TRUE(run(4.0));

@@ -51,8 +51,8 @@ void TwinBody::take(const Command& command) {
     if (stiffness <= 0.0f) continue;
     const JointLimits& limits = kJointLimits[joint];
     constexpr float kRounding = 1e-4f;
-    const bool goes_on = goes_on_ && command_.stiffness[joint] > 0.0f;
-    const float from = goes_on ? command_.position[joint] : position_[joint];
+    const bool continues = goes_on_ && command_.stiffness[joint] > 0.0f;
+    const float from = continues ? command_.position[joint] : position_[joint];
     const float most = limits.speed * kTick + kRounding;
     if (std::fabs(to - from) > most) complain("target is too fast for the motor", joint, (to - from) / kTick);
     const float outside = std::max(limits.least - to, to - limits.most);
