@@ -92,9 +92,9 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
       {"verdict", summary.verdict},
       {"belief_wrong_at_seconds", or_null(summary.belief_wrong_at)},
       {"corrected_after_seconds", or_null(summary.corrected_after)},
-      {"position_error_metres", nullptr},
+      {"position_error_meters", nullptr},
       {"rotation_error_degrees", nullptr},
-      {"mean_position_error_metres", nullptr},
+      {"mean_position_error_meters", nullptr},
       {"mean_rotation_error_degrees", nullptr},
       {"flips", summary.flips},
       {"purges", summary.purges},
@@ -110,11 +110,11 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
       {"reloads_rejected", circumstances.reloads_rejected},
   };
   if (summary.error) {
-    json["position_error_metres"] = summary.error->position;
+    json["position_error_meters"] = summary.error->position;
     json["rotation_error_degrees"] = to_degrees(summary.error->rotation);
   }
   if (summary.mean_error) {
-    json["mean_position_error_metres"] = summary.mean_error->position;
+    json["mean_position_error_meters"] = summary.mean_error->position;
     json["mean_rotation_error_degrees"] = to_degrees(summary.mean_error->rotation);
   }
   if (summary.frames > 0) {

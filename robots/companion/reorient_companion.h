@@ -59,8 +59,9 @@ enum {
   REORIENT_NV12 = 2,
   REORIENT_RGB = 3,
   REORIENT_BGR = 4,
-  REORIENT_GREY = 5
+  REORIENT_GRAY = 5
 };
+#define REORIENT_GREY REORIENT_GRAY /* the former name */
 
 struct reorient_camera {
   uint16_t width, height; /* pixels, even */
@@ -319,7 +320,7 @@ static inline size_t reorient_image_bytes(const struct reorient_camera* camera) 
     case REORIENT_RGB:
     case REORIENT_BGR:
       return 3 * pixels;
-    case REORIENT_GREY:
+    case REORIENT_GRAY:
       return pixels;
     default:
       return 0;

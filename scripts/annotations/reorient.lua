@@ -240,7 +240,7 @@ function operator.set_game_state(state) end
 ---@param stopped boolean
 function operator.stop_game(stopped) end
 
----Sets the team that kicks off next: ours, theirs or none (the value is "nobody").
+---Sets the team that kicks off next: one of the values of game.kick_off.
 ---@param side string
 function operator.set_kick_off(side) end
 

@@ -50,7 +50,7 @@ std::string mistake(const std::string& page) {
   return "none";
 }
 
-TEST(PageTables, AreMadeAnewAndAllElseStays) {
+TEST(PageTables, AreReplacedAndAllElseStays) {
   const std::string begin = "# Words\n\n<!-- rows t.json: test, trials, mean_s -->\n";
   const std::string end = "<!-- end of rows -->\n\nMore words.\n";
   const std::string made = filled(begin + "something old\n" + end);

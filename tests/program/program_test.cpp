@@ -153,7 +153,7 @@ TEST(Program, WritesTheSummaryForPrograms) {
                           "verdict",
                           "belief_wrong_at_seconds",
                           "corrected_after_seconds",
-                          "position_error_metres",
+                          "position_error_meters",
                           "rotation_error_degrees",
                           "flips",
                           "purges",
@@ -172,7 +172,7 @@ TEST(Program, WritesTheSummaryForPrograms) {
   EXPECT_TRUE(json["correct"].get<bool>());  // it was not mirrored yet
   EXPECT_FALSE(json["succeeded"].get<bool>());
   EXPECT_NEAR(json["seconds"].get<double>(), 3.0, 0.05);
-  EXPECT_LT(json["position_error_metres"].get<double>(), 1.0);
+  EXPECT_LT(json["position_error_meters"].get<double>(), 1.0);
   EXPECT_EQ("digest: " + json["digest"].get<std::string>(), digest_of(run));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing is left beside it";
 }

@@ -50,7 +50,7 @@ TEST_F(TiltedCamera, IsNoticedAndDoesNotSpoilThePose) {
     const ProgramRun run = walk(side * kThreeDegrees);
     const nlohmann::json told = summary();
     EXPECT_NEAR(pitch_of(told), 3.0 * side, 0.8);
-    EXPECT_LT(told.at("mean_position_error_metres").get<double>(), 0.12);
+    EXPECT_LT(told.at("mean_position_error_meters").get<double>(), 0.12);
     EXPECT_LT(told.at("mean_rotation_error_degrees").get<double>(), 3.0);
     EXPECT_NE(run.out.find(side > 0.0 ? "degrees lower than is measured" : "degrees higher than is measured"),
               std::string::npos)
@@ -67,7 +67,7 @@ TEST_F(TiltedCamera, ThatLooksWhereItBelievesIsNotMentioned) {
 TEST_F(TiltedCamera, SpoilsThePoseOfARobotThatDoesNotLearnIt) {
   walk(kThreeDegrees, {"--set", "pose_tracker.enabled=false"});
   EXPECT_EQ(pitch_of(summary()), 0.0);
-  EXPECT_GT(summary().at("position_error_metres").get<double>(), 0.12);
+  EXPECT_GT(summary().at("position_error_meters").get<double>(), 0.12);
 }
 
 TEST_F(TiltedCamera, IsKnownTheNextDayToTheSameBody) {

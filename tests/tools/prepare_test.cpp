@@ -48,14 +48,14 @@ TEST_F(Tree, IsNotConfiguredAgainWhereItStayed) {
   EXPECT_EQ(build(), kBuilds);
 }
 
-TEST_F(Tree, IsConfiguredAfreshWhereItWasMoved) {
+TEST_F(Tree, IsConfiguredAgainWhereItWasMoved) {
   configured_for("/where/it/was");
   EXPECT_EQ(build(), std::string("reorient: this tree was at /where/it/was; building again (a few minutes, once)\n"
                                  "cmake --fresh --preset release\n") +
                          kBuilds);
 }
 
-TEST_F(Tree, IsConfiguredAfreshWhereItIsACopy) {
+TEST_F(Tree, IsConfiguredAgainWhereItIsACopy) {
   const TemporaryFolder original;
   configured_for(original.path());
   EXPECT_EQ(build(), "reorient: this tree was at " + original.path().string() +

@@ -18,9 +18,7 @@ class Words : public testing::Test {
 
   void write(const std::string& file, const std::string& text) { tree.folder.write(file, text); }
 
-  void write_rules(const std::string& checked, const std::string& exceptions = "") {
-    write("tools/words.toml", "checked = [" + checked + "]\n" + kWords + exceptions);
-  }
+  void write_rules(const std::string& exceptions = "") { write("tools/words.toml", kWords + exceptions); }
 
   std::string check(const std::string& files = "") {
     const ToolTree::Result result = tree.run("tools/words " + files);
@@ -32,29 +30,28 @@ class Words : public testing::Test {
   ToolTree tree;
 };
 
-TEST_F(Words, ChecksTheFilesThatAreListed) {
-  write_rules("\"docs/\", \"README.md\"");
+TEST_F(Words, ChecksTheWholeTree) {
+  write_rules();
   write("README.md", "The robot is fine.\nThe robot is Wonky.\n");
   write("docs/a.md", "It goes\nback.\n");
-  write("other.md", "wonky\n");
   EXPECT_EQ(check(), "README.md:2: 'Wonky' (write: unstable)\ndocs/a.md:1: 'goes back' (write: returns)\nexit 1");
 }
 
-TEST_F(Words, ChecksTheFilesThatAreGiven) {
-  write_rules("");
+TEST_F(Words, ChecksOnlyTheFilesThatAreGiven) {
+  write_rules();
+  write("README.md", "wonky\n");
   write("other.md", "wonky\n");
-  EXPECT_EQ(check(), "exit 0");
   EXPECT_EQ(check("other.md"), "other.md:1: 'wonky' (write: unstable)\nexit 1");
 }
 
 TEST_F(Words, MatchesPartsOfWordsOnlyWhereAStarSaysSo) {
-  write_rules("\"a.md\"");
+  write_rules();
   write("a.md", "wonkyness, unwonky, flavors, unflavored\n");
   EXPECT_EQ(check(), "a.md:1: 'flavors' (write: taste)\na.md:1: 'unflavored' (write: taste)\nexit 1");
 }
 
 TEST_F(Words, SkipCodeLinksOutputAndGeneratedPartsOfMarkdown) {
-  write_rules("\"a.md\"");
+  write_rules();
   write("a.md",
         "`wonky` and [link](wonky.md)\n\n```console\nwonky\n```\n<!-- rows wonky.json: a -->\nwonky\n"
         "<!-- end of rows -->\n```lua\n-- wonky\n```\n");
@@ -62,7 +59,7 @@ TEST_F(Words, SkipCodeLinksOutputAndGeneratedPartsOfMarkdown) {
 }
 
 TEST_F(Words, ReadCommentsStringsAndNamesOfSources) {
-  write_rules("\"a.cpp\"");
+  write_rules();
   write("a.cpp",
         "// It goes\n// back.\nconst char* text = \"it goes \"\n    \"back\";\nvoid GoesBack();\nint wonky_count;\n");
   EXPECT_EQ(check(),
@@ -72,7 +69,7 @@ TEST_F(Words, ReadCommentsStringsAndNamesOfSources) {
 
 TEST_F(Words, AcceptAnExceptionAndReportOneThatIsNotNeeded) {
   const std::string exception = "[[exception]]\nfiles = \"docs/*\"\nword = \"wonky\"\nreason = \"a name\"\n";
-  write_rules("\"docs/\"", exception);
+  write_rules(exception);
   write("docs/a.md", "wonky\n");
   EXPECT_EQ(check(), "exit 0");
   write("docs/a.md", "fine\n");
@@ -80,17 +77,15 @@ TEST_F(Words, AcceptAnExceptionAndReportOneThatIsNotNeeded) {
 }
 
 TEST_F(Words, RejectMistakesInTheirRules) {
-  write_rules("", "[[exception]]\nfiles = \"a.md\"\nword = \"wonky\"\n");
+  write_rules("[[exception]]\nfiles = \"a.md\"\nword = \"wonky\"\n");
   EXPECT_EQ(check(),
             "tools/words: tools/words.toml: exception 1 has no 'reason' (expected files, word and reason)\nexit 2");
-  write_rules("", "[[exception]]\nfiles = \"a.md\"\nword = \"fine\"\nreason = \"a name\"\n");
+  write_rules("[[exception]]\nfiles = \"a.md\"\nword = \"fine\"\nreason = \"a name\"\n");
   EXPECT_EQ(check(), "tools/words: tools/words.toml: exception 1: [words] has no 'fine'\nexit 2");
-  write_rules("\"missing.md\"");
-  EXPECT_EQ(check(), "tools/words.toml: 'checked' names 'missing.md', and no such file exists\nexit 1");
 }
 
 TEST_F(Words, LimitTheLinesOfMarkdownTo100ColumnsOutsideOfTablesLinksAndCode) {
-  write_rules("\"a.md\"");
+  write_rules();
   const std::string words = std::string(96, 'a') + " ";
   write("a.md", words + "bbb\n" + words + "bbbb\n| " + words + "bbbb |\n```\n" + words + "bbbb\n```\n" + words +
                     "[b b](c.md)\n" + words + "`b b b b`\n" + words + "[b](" + words + ")\n" + words + "`b b b b` c\n");
@@ -98,14 +93,14 @@ TEST_F(Words, LimitTheLinesOfMarkdownTo100ColumnsOutsideOfTablesLinksAndCode) {
 }
 
 TEST_F(Words, SkipTitlesOfCommitsWhereTheFirstCheckedOneIsMissing) {
-  write_rules("");
+  write_rules();
   git("init -q");
   git("commit -q --allow-empty -m '" + std::string(80, 'a') + "'");
   EXPECT_EQ(check(), "exit 0");
 }
 
 TEST_F(Words, LimitTitlesOfCommitsTo72Characters) {
-  write_rules("");
+  write_rules();
   git("init -q");
   git("commit -q --allow-empty -m '" + std::string(73, 'a') + "'");
   git("commit -q --allow-empty -m first");

@@ -20,7 +20,7 @@ reorient_hello small_hello(std::uint64_t client, std::uint32_t way) {
   reorient_camera& camera = hello.cameras[0];
   camera.width = 64;
   camera.height = 64;
-  camera.format = REORIENT_GREY;
+  camera.format = REORIENT_GRAY;
   camera.focal[0] = camera.focal[1] = 60.0;
   camera.center[0] = camera.center[1] = 31.5;
   reorient_body& body = hello.body;
