@@ -37,13 +37,13 @@ void Localizer::continue_from(const PoseBelief& believed) {
   const Eigen::Vector3d deviation = believed.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   filter_.set_initial_pose(believed.pose, std::clamp(deviation.head<2>().maxCoeff(), kLeastPosition, kMostPosition),
                            std::clamp(deviation.z(), least_rotation, kPi));
-  tracker_.let_go();
+  tracker_.detach();
 }
 
 void Localizer::feel_gravity(bool upright, const Eigen::Vector3d& acceleration, const TorsoAttitude& torso,
                              double time) {
   if (!upright) return gravity_.interrupt();
-  if (const auto bias = gravity_.feel(acceleration, torso, time)) tracker_.take_gravity(*bias);
+  if (const auto bias = gravity_.add_sample(acceleration, torso, time)) tracker_.take_gravity(*bias);
 }
 
 void Localizer::doubt(double time) {
@@ -95,7 +95,7 @@ void Localizer::search(const LocalizerInputs& inputs) {
       search_.see(*seen.percept, i, seen.robot_from_camera, bias_of(bias, i, seen.robot_from_camera), inputs.odometry,
                   inputs.time);
   }
-  if (filter_.is_lost() && tracker_.is_attached()) tracker_.let_go();
+  if (filter_.is_lost() && tracker_.is_attached()) tracker_.detach();
   const bool is_known = is_pose_known();
   if (!is_known && was_known_) search_.forget_before(inputs.time - kNoticedAfter);
   was_known_ = is_known;
@@ -115,7 +115,7 @@ void Localizer::flip_pose() {
 
 void Localizer::reset_orientation() {
   filter_.reset_orientation();
-  tracker_.let_go();
+  tracker_.detach();
 }
 
 }  // namespace reorient

@@ -200,7 +200,7 @@ const Eigen::Vector2d& PoseSearch::nearest_post(const Eigen::Vector2d& place) co
   });
 }
 
-void PoseSearch::judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior& prior) const {
+void PoseSearch::evaluate(PoseHypothesis& one, const FieldMap& map, const BiasPrior& prior) const {
   one.cost = prior_cost(one.bias.torso, prior.mean.torso, prior.torso_deviation);
   for (std::size_t i = 0; i < one.bias.mounts.size(); ++i)
     one.cost += prior_cost(one.bias.mounts[i], prior.mean.mounts[i], prior.mount_deviation);
@@ -230,7 +230,7 @@ void PoseSearch::judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior
 }
 
 /// Stores a hypothesis if it is among the best. A pose and its reflection count as the same.
-void PoseSearch::keep(const PoseHypothesis& one, const Pose2& odometry) {
+void PoseSearch::store(const PoseHypothesis& one, const Pose2& odometry) {
   const Pose2 pose = one.field_from_odometry * odometry;
   if ((pose.position.cwiseAbs().array() > carpet_.array()).any()) return;
   const auto end = best_.begin() + count_;
@@ -260,13 +260,13 @@ std::optional<PoseHypothesis> PoseSearch::search(const FieldMap& map, const Bias
   std::array<PoseHypothesis, kMostHypotheses> before = best_;
   const std::uint32_t count = std::exchange(count_, 0);
   for (std::uint32_t i = 0; i < count; ++i) {
-    judge(before[i], map, prior);
-    keep(before[i], odometry);
+    evaluate(before[i], map, prior);
+    store(before[i], odometry);
   }
   const auto try_one = [&](PoseHypothesis one) {
     refine(one, prior, odometry);
-    judge(one, map, prior);
-    keep(one, odometry);
+    evaluate(one, map, prior);
+    store(one, odometry);
   };
   for (int part = 0; part < kParts; ++part) {
     PoseHypothesis best = draw(prior, odometry);

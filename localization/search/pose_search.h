@@ -90,8 +90,8 @@ class PoseSearch {
   double rough_cost(const PoseHypothesis& one, const FieldMap& map) const;
   void refine(PoseHypothesis& one, const BiasPrior& prior, const Pose2& odometry) const;
   const Eigen::Vector2d& nearest_post(const Eigen::Vector2d& place) const;
-  void judge(PoseHypothesis& one, const FieldMap& map, const BiasPrior& prior) const;
-  void keep(const PoseHypothesis& one, const Pose2& odometry);
+  void evaluate(PoseHypothesis& one, const FieldMap& map, const BiasPrior& prior) const;
+  void store(const PoseHypothesis& one, const Pose2& odometry);
 
   PoseSearchParameters parameters_;
   FieldLineMap lines_;

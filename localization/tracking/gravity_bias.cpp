@@ -8,8 +8,8 @@
 
 namespace reorient {
 
-std::optional<TiltBias> GravityBias::feel(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured,
-                                          double time) {
+std::optional<TiltBias> GravityBias::add_sample(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured,
+                                                double time) {
   constexpr double kMostOff = 4.0;    // m/s^2
   constexpr double kFeltFor = 3.0;    // s
   constexpr int kFewest = 60;         // samples

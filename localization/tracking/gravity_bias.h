@@ -19,7 +19,7 @@ class GravityBias {
  public:
   /// One sample of a robot on its feet. `acceleration`: of the torso against free fall, in its own frame, m/s^2.
   /// `time`: s. Returns the torso's bias once, when there are enough samples.
-  std::optional<TiltBias> feel(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured, double time);
+  std::optional<TiltBias> add_sample(const Eigen::Vector3d& acceleration, const TorsoAttitude& measured, double time);
   /// The robot is not on its feet: discards the samples so far.
   void interrupt();
 

@@ -42,7 +42,7 @@ void PoseState::predict(const Pose2& step, double time, const MotionModelParamet
   }
 }
 
-void PoseState::take(const Measured& measured, const Vector& before) {
+void PoseState::update(const Measurement& measured, const Vector& before) {
   Vector gain{};
   double variance = measured.variance;
   for (std::size_t i = 0; i < kSize; ++i) {

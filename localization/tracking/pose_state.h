@@ -25,7 +25,7 @@ struct PoseState {
   Matrix covariance{};
 
   /// One scalar measurement. `residual` is 0 if the state is right; `row` is its derivative by the state.
-  struct Measured {
+  struct Measurement {
     double residual = 0.0;
     Vector row{};
     double variance = 0.0;
@@ -39,7 +39,7 @@ struct PoseState {
   void predict(const Pose2& step, double time, const MotionModelParameters& motion, double drift, double sway_variance,
                double sway_time);
   /// Measurement update. `before`: values() when the residual was computed.
-  void take(const Measured& measured, const Vector& before);
+  void update(const Measurement& measured, const Vector& before);
   /// Variance that the state contributes to a measurement with this row.
   double variance_of(const Vector& row) const;
 

@@ -68,11 +68,11 @@ void PoseTracker::take_bias(const CameraBias& bias, double deviation) {
   if (!(deviation > 0.0)) return;
   const PoseState::Vector before = state_.values();
   for (std::size_t mount = kMounts; mount < kSway; ++mount) {
-    PoseState::Measured sum;
+    PoseState::Measurement sum;
     sum.row[mount] = 1.0;
     sum.row[kTorso + (mount - kMounts) % 2] = 1.0;
     sum.variance = square(deviation);
-    state_.take(sum, before);
+    state_.update(sum, before);
   }
 }
 
@@ -82,11 +82,11 @@ void PoseTracker::take_gravity(const TiltBias& torso) {
   const auto correct = [&](PoseState& state) {
     const PoseState::Vector before = state.values();
     for (std::size_t i = 0; i < estimated.size(); ++i) {
-      PoseState::Measured measured;
+      PoseState::Measurement measured;
       measured.residual = before[kTorso + i] - estimated[i];
       measured.row[kTorso + i] = 1.0;
       measured.variance = square(parameters_.gravity_deviation);
-      state.take(measured, before);
+      state.update(measured, before);
     }
   };
   correct(state_);
@@ -109,10 +109,10 @@ BiasPrior PoseTracker::prior() const {
 void PoseTracker::doubt() {
   constexpr double kKnock = from_degrees(0.5);
   for (std::size_t i = kTorso; i < kSway; ++i) known_.covariance[i][i] += square(kKnock);
-  let_go();
+  detach();
 }
 
-void PoseTracker::let_go() {
+void PoseTracker::detach() {
   attached_ = false;
   state_.mean = known_.mean;
   state_.covariance = known_.covariance;
@@ -166,7 +166,7 @@ void PoseTracker::update(const std::array<CameraPercept, 2>& seen, const PoseBel
   const double time = std::isfinite(time_step) ? std::clamp(time_step, 0.0, kLongestStep) : 0.0;
   attached_for_ += time;
   apart_for_ = is_near(believed) ? 0.0 : apart_for_ + time;
-  if (apart_for_ > kLongestApart || fit_ < kLeastFit) return let_go();
+  if (apart_for_ > kLongestApart || fit_ < kLeastFit) return detach();
   // Errors last for some time, so frames at shorter intervals weigh proportionally less.
   const double weight = time < parameters_.sway_time ? time / parameters_.sway_time : 1.0;
   LineFit fit;
@@ -189,7 +189,7 @@ void PoseTracker::update(const std::array<CameraPercept, 2>& seen, const PoseBel
 
 void PoseTracker::see_lines(const CameraPercept& seen, std::size_t camera, double weight, LineFit& fit) {
   const std::vector<LinePoint>& points = seen.percept->line_points;
-  std::array<PoseState::Measured, kMostLinePoints> measured;
+  std::array<PoseState::Measurement, kMostLinePoints> measured;
   std::size_t count = 0;
   const std::size_t every = (points.size() + kMostLinePoints - 1) / kMostLinePoints;
   for (std::size_t i = 0; i < points.size() && count < measured.size(); i += std::max<std::size_t>(1, every)) {
@@ -204,7 +204,7 @@ void PoseTracker::see_lines(const CameraPercept& seen, std::size_t camera, doubl
       ++fit.odd;
       continue;
     }
-    PoseState::Measured& one = measured[count];
+    PoseState::Measurement& one = measured[count];
     one.residual = line->distance;
     one.row = state_.row_of(line->normal, point.position, seen.robot_from_camera, camera);
     const double reach =
@@ -228,7 +228,7 @@ void PoseTracker::see_lines(const CameraPercept& seen, std::size_t camera, doubl
   const PoseState::Vector before = state_.values();
   for (std::size_t i = 0; i < count; ++i) {
     measured[i].variance *= noise_ * shared;
-    state_.take(measured[i], before);
+    state_.update(measured[i], before);
   }
 }
 
@@ -244,7 +244,7 @@ void PoseTracker::see_posts(const CameraPercept& seen, std::size_t camera, doubl
     const Eigen::Vector2d across(-sight.y(), sight.x());
     const PoseState::Vector before = state_.values();
     const auto measure = [&](const Eigen::Vector2d& normal, const Eigen::Vector2d& from_post, double deviation) {
-      PoseState::Measured one;
+      PoseState::Measurement one;
       one.residual = normal.dot(from_post);
       one.row = state_.row_of(normal, post.position, seen.robot_from_camera, camera);
       one.variance = square(parameters_.line_deviation) + square(deviation);
@@ -252,13 +252,13 @@ void PoseTracker::see_posts(const CameraPercept& seen, std::size_t camera, doubl
     };
     const double along_deviation =
         post.base_visible ? parameters_.pixel_deviation * (height + square(distance) / height) : 0.5 * distance;
-    std::optional<PoseState::Measured> best_across, best_along;
+    std::optional<PoseState::Measurement> best_across, best_along;
     double best = kOutlier * kOutlier;
     int candidates = 0;
     for (const Eigen::Vector2d& known : posts_) {
       const Eigen::Vector2d from_post = place - known;
-      const PoseState::Measured aside = measure(across, from_post, 2.0 * parameters_.pixel_deviation * distance);
-      const PoseState::Measured along = measure(sight, from_post, along_deviation);
+      const PoseState::Measurement aside = measure(across, from_post, 2.0 * parameters_.pixel_deviation * distance);
+      const PoseState::Measurement along = measure(sight, from_post, along_deviation);
       const double far = square(aside.residual) / (aside.variance + state_.variance_of(aside.row)) +
                          square(along.residual) / (along.variance + state_.variance_of(along.row));
       if (far > kOutlier * kOutlier) continue;
@@ -269,9 +269,9 @@ void PoseTracker::see_posts(const CameraPercept& seen, std::size_t camera, doubl
       best_along = along;
     }
     if (candidates != 1) continue;
-    for (PoseState::Measured* one : {&*best_across, &*best_along}) {
+    for (PoseState::Measurement* one : {&*best_across, &*best_along}) {
       one->variance *= noise_ / weight;
-      state_.take(*one, before);
+      state_.update(*one, before);
     }
   }
 }

@@ -70,11 +70,11 @@ class PoseTracker {
   void predict(const Pose2& odometry_step, double time_step, const MotionModelParameters& motion);
   /// Starts to track a hypothesis: either `believed` or its reflection is known to be right.
   void attach(const PoseBelief& believed);
-  /// Updates the state with the percepts. `believed`: of the pose filter after its update. Calls let_go() if this
+  /// Updates the state with the percepts. `believed`: of the pose filter after its update. Calls detach() if this
   /// belief differs for long, or if the percepts do not fit.
   void update(const std::array<CameraPercept, 2>& seen, const PoseBelief& believed, double time_step);
   /// Stops tracking, because the hypothesis may be wrong. Restores the biases of some seconds ago.
-  void let_go();
+  void detach();
   /// The robot fell or was lifted: the same, and its mounts may have moved a little.
   void doubt();
   /// Reflects the tracked pose.

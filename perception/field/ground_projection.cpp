@@ -100,8 +100,8 @@ double GroundProjection::horizon(double column) const {
   if (!camera_.is_perspective()) {
     const double place = std::clamp(column / (camera_.width - 1.0), 0.0, 1.0) * (kHorizonPoints - 1.0);
     const std::size_t left = std::min(static_cast<std::size_t>(place), horizon_.size() - 2);
-    const double share = place - static_cast<double>(left);
-    return (1.0 - share) * horizon_[left] + share * horizon_[left + 1];
+    const double fraction = place - static_cast<double>(left);
+    return (1.0 - fraction) * horizon_[left] + fraction * horizon_[left + 1];
   }
   // Rays (1, -u, -v) at right angles to gravity. u follows from the column after the distortion is removed.
   constexpr int kIterations = 3;

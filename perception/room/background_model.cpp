@@ -68,10 +68,10 @@ void BackgroundModel::train(int tile, const ColorHistogram& measured, const Trai
 
 void BackgroundModel::train_light(int tile, const RelativeLight& measured, const TrainingStep& how) {
   TileModel& model = tiles_[static_cast<std::size_t>(tile)];
-  const double share = 1.0 / (std::min<double>(model.light_visits, how.n) + 1.0);
-  model.light.luma += share * (measured.luma - model.light.luma);
-  model.light.cb += share * (measured.cb - model.light.cb);
-  model.light.cr += share * (measured.cr - model.light.cr);
+  const double fraction = 1.0 / (std::min<double>(model.light_visits, how.n) + 1.0);
+  model.light.luma += fraction * (measured.luma - model.light.luma);
+  model.light.cb += fraction * (measured.cb - model.light.cb);
+  model.light.cr += fraction * (measured.cr - model.light.cr);
   if (model.light_visits < std::numeric_limits<int>::max()) ++model.light_visits;
 }
 

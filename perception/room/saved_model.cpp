@@ -93,7 +93,7 @@ SavedModel read_model(std::span<const std::byte> bytes) {
   check_bytes(!bytes.empty(), "it is empty");
   check_bytes(bytes.size() >= sizeof(magic) && std::memcmp(bytes.data(), &kModelMagic, sizeof(magic)) == 0,
               "it is not a model of a room");
-  check_bytes(bytes.size() >= kHead + kChecksum, "it is cut short");
+  check_bytes(bytes.size() >= kHead + kChecksum, "it is truncated");
   ByteReader head(bytes);
   head(magic, version, size);
   if (version > kModelVersion)
@@ -101,7 +101,7 @@ SavedModel read_model(std::span<const std::byte> bytes) {
                    " (expected at most " + std::to_string(kModelVersion) + ")");
   check_bytes(version == kModelVersion || version == kWithoutBias, "it is damaged: unknown format (expected 1 or 2)");
   if (bytes.size() != kHead + size + kChecksum)
-    throw BadBytes("it is cut short or too long: found " + std::to_string(bytes.size()) + " bytes (expected " +
+    throw BadBytes("it is truncated or too long: found " + std::to_string(bytes.size()) + " bytes (expected " +
                    std::to_string(kHead + size + kChecksum) + ")");
   std::memcpy(&sum, bytes.last(kChecksum).data(), sizeof(sum));
   check_bytes(sum == checksum(bytes.first(kHead + size)), "it is damaged: the checksum does not match");

@@ -12,9 +12,9 @@
 namespace reorient {
 namespace {
 
-constexpr double kExpected = 0.8;     // expected s without data
-constexpr double kLeast = 0.03;       // t: amount of difference that has the same weight as the expected value
-constexpr double kMisfitShare = 0.7;  // the nearest of several tiles differs by less than the misfit
+constexpr double kExpected = 0.8;        // expected s without data
+constexpr double kLeast = 0.03;          // t: amount of difference that has the same weight as the expected value
+constexpr double kMisfitFraction = 0.7;  // the nearest of several tiles differs by less than the misfit
 constexpr double kUsualMisfit = 0.15;
 constexpr std::size_t kParts = 8;
 constexpr int kFewestTiles = 20;   // with fewer tiles, some may look like their reflections by chance
@@ -103,10 +103,10 @@ void Separability::observe(const ComparedModel& model, const Wall& wall) {
   summarize();
 }
 
-/// s of the comment of the class.
-double Separability::share(const Column& sums) const {
+/// The ratio s of the class comment.
+double Separability::ratio(const Column& sums) const {
   if (sums.tiles == 0) return kExpected;
-  const auto beyond = [&](double sum) { return std::max(sum / sums.tiles - kMisfitShare * misfit_, 0.0); };
+  const auto beyond = [&](double sum) { return std::max(sum / sums.tiles - kMisfitFraction * misfit_, 0.0); };
   return (beyond(sums.half) + kExpected * kLeast) / (beyond(sums.eighths) + kLeast);
 }
 
@@ -131,18 +131,18 @@ void Separability::summarize() {
     others.half -= part.half;
     others.eighths -= part.eighths;
     others.tiles -= part.tiles;
-    const double without = share(others), change = without - mean;
+    const double without = ratio(others), change = without - mean;
     ++count;
     mean += change / count;
     squares += change * (without - mean);
   }
   constexpr int kFewestParts = 3;
   const double jackknife = count >= kFewestParts ? squares * (count - 1) / count : 1.0;
-  const double beyond = all.tiles > 0 ? std::max(all.eighths / all.tiles - kMisfitShare * misfit_, 0.0) : 0.0;
+  const double beyond = all.tiles > 0 ? std::max(all.eighths / all.tiles - kMisfitFraction * misfit_, 0.0) : 0.0;
   const double experience = kOfExperience * kLeast / (beyond + kLeast);
   const double variance = jackknife + kOfATile / std::max(all.tiles, 1) + experience * experience;
   const double deviations =
-      all.tiles < kFewestTiles ? (kExpected - kLimit) / kOfExperience : (share(all) - kLimit) / std::sqrt(variance);
+      all.tiles < kFewestTiles ? (kExpected - kLimit) / kOfExperience : (ratio(all) - kLimit) / std::sqrt(variance);
   probability_ = 1.0 / (1.0 + pinned::exp(-kLogistic * deviations));
 }
 

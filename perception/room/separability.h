@@ -30,7 +30,7 @@ namespace reorient {
 /// position, objects behind the virtual wall appear at another azimuth of it.
 class Separability {
  public:
-  /// Initially nothing is known of a wall with this many columns, nor of the misfit.
+  /// Starts without knowledge of the misfit and of a wall with this many columns.
   void restart(int columns);
   /// Adds a view of known tiles from a known pose, before they are learned: their mean difference to the model
   /// (Hellinger) and its duration, s.
@@ -69,7 +69,7 @@ class Separability {
 
   void check(std::size_t columns) const;
   void summarize();
-  double share(const Column& sums) const;
+  double ratio(const Column& sums) const;
 
   std::vector<Column> columns_;
   int next_ = 0;

@@ -22,8 +22,8 @@ struct Walk {
     for (const double end = time + seconds; time < end; time += kPeriod) {
       const TorsoAttitude truth{0.03 * std::sin(7.0 * time), 0.1 + 0.02 * std::sin(11.0 * time)};
       const Eigen::Vector3d shock(random.normal(), random.normal(), random.normal());
-      const auto bias_now =
-          gravity.feel(kGravity * up_in_torso(truth) + shock, {truth.roll - bias.roll, truth.pitch - bias.pitch}, time);
+      const auto bias_now = gravity.add_sample(kGravity * up_in_torso(truth) + shock,
+                                               {truth.roll - bias.roll, truth.pitch - bias.pitch}, time);
       if (!bias_now) continue;
       estimate = *bias_now;
       ++times;
@@ -65,12 +65,12 @@ TEST(GravityBias, IsNotReportedWithoutAnAccelerometerOrFromInvalidValues) {
   for (const Eigen::Vector3d& acceleration :
        {Eigen::Vector3d(0.0, 0.0, 9.81), Eigen::Vector3d(nan, 0.0, 9.81), Eigen::Vector3d(infinite, 0.0, 0.0),
         Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(30.0, 1.0, 9.81)}) {
-    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(gravity.feel(acceleration, {0.0, 0.1}, time += kPeriod));
+    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(gravity.add_sample(acceleration, {0.0, 0.1}, time += kPeriod));
   }
   for (int i = 0; i < 1000; ++i) {
-    EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {nan, 0.0}, time += kPeriod));
-    EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {2.0, 0.0}, time += kPeriod)) << "the robot lies";
-    EXPECT_FALSE(gravity.feel({0.5, 0.0, 9.8}, {0.0, 0.0}, nan));
+    EXPECT_FALSE(gravity.add_sample({0.5, 0.0, 9.8}, {nan, 0.0}, time += kPeriod));
+    EXPECT_FALSE(gravity.add_sample({0.5, 0.0, 9.8}, {2.0, 0.0}, time += kPeriod)) << "the robot lies";
+    EXPECT_FALSE(gravity.add_sample({0.5, 0.0, 9.8}, {0.0, 0.0}, nan));
   }
 }
 
@@ -82,7 +82,7 @@ TEST(GravityBias, IsWeighedAgainstTheUsualBiasAndKeptWhenThePoseIsLost) {
   // Deviations of 3 degrees (usual bias) and 1.5 degrees (gravity): four fifths of the measured bias.
   EXPECT_NEAR(to_degrees(tracker.bias().torso.pitch), -4.0, 1e-9);
   EXPECT_LT(tracker.bias().deviation, before);
-  tracker.let_go();
+  tracker.detach();
   EXPECT_NEAR(to_degrees(tracker.bias().torso.pitch), -4.0, 1e-9) << "gravity does not depend on the pose";
 
   PoseTrackerParameters without_gravity;

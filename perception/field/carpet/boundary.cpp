@@ -83,8 +83,8 @@ void Boundary::find(const CarpetMap& map, const CameraModel& camera, std::vector
     const int from = hull_[k];
     const int to = hull_[std::min(k + 1, size - 1)];
     for (int i = from; i <= to; ++i) {
-      const double share = to > from ? static_cast<double>(i - from) / (to - from) : 0.0;
-      const double row = row_of(from) + share * (row_of(to) - row_of(from));
+      const double fraction = to > from ? static_cast<double>(i - from) / (to - from) : 0.0;
+      const double row = row_of(from) + fraction * (row_of(to) - row_of(from));
       boundary[static_cast<std::size_t>(i)] = static_cast<float>(row * map.step());
     }
   }
@@ -101,8 +101,8 @@ double boundary_at(const std::vector<float>& boundary, int width, double column)
   const double position = std::clamp((column + 0.5) * static_cast<double>(boundary.size()) / width - 0.5, 0.0, last);
   const auto left = static_cast<std::size_t>(position);
   const auto right = std::min(left + 1, boundary.size() - 1);
-  const double share = position - static_cast<double>(left);
-  return (1.0 - share) * boundary[left] + share * boundary[right];
+  const double fraction = position - static_cast<double>(left);
+  return (1.0 - fraction) * boundary[left] + fraction * boundary[right];
 }
 
 }  // namespace reorient

@@ -16,10 +16,10 @@ namespace {
 constexpr int kSampleColumns = 48;
 constexpr int kSampleRows = 36;
 constexpr std::size_t kFewestSamples = 40;
-constexpr double kFewestShare = 0.1;      // fraction of the samples that must have one color
-constexpr double kShareOfAnyColor = 0.6;  // fraction of them that must be near a color other than green
-constexpr double kShareOfAnother = 0.3;   // fraction above which another color can replace a known one
-constexpr double kNear = 4.0;             // m
+constexpr double kFewestFraction = 0.1;      // fraction of the samples that must have one color
+constexpr double kFractionOfAnyColor = 0.6;  // fraction of them that must be near a color other than green
+constexpr double kFractionOfAnother = 0.3;   // fraction above which another color can replace a known one
+constexpr double kNear = 4.0;                // m
 
 /// Whether any carpet can have this chroma under a good white balance: from yellowish to bluish green.
 bool is_greenish(double b, double r) {
@@ -51,12 +51,14 @@ void CarpetColor::observe(const ImageView& image, const GroundProjection& view) 
 void CarpetColor::learn() {
   constexpr int kSteps = 4;  // from one color to the whole carpet
   if (samples_.size() < kFewestSamples) return;
-  const auto share_of = [this](int count) { return static_cast<double>(count) / static_cast<double>(samples_.size()); };
+  const auto fraction_of = [this](int count) {
+    return static_cast<double>(count) / static_cast<double>(samples_.size());
+  };
   Learned seen = learned_;
   const bool is_same_carpet = known_ && is_same_carpet_as(seen);
   if (!is_same_carpet) {
     const auto dominant = find_dominant();
-    if (!dominant || (known_ && share_of(dominant->count) < kShareOfAnother)) return;
+    if (!dominant || (known_ && fraction_of(dominant->count) < kFractionOfAnother)) return;
     other_color_images_ = std::min(other_color_images_ + 1, parameters_.carpet_patience);
     seen = {};
     seen.blue[0] = dominant->b;
@@ -67,7 +69,8 @@ void CarpetColor::learn() {
       if (fitted.near == 0) return;
     }
     const bool is_green = is_greenish(fitted.chroma.x(), fitted.chroma.y());
-    if (!is_green && (other_color_images_ < parameters_.carpet_patience || share_of(fitted.near) < kShareOfAnyColor))
+    if (!is_green &&
+        (other_color_images_ < parameters_.carpet_patience || fraction_of(fitted.near) < kFractionOfAnyColor))
       return;
     white_known_ = false;
   }
@@ -81,7 +84,7 @@ void CarpetColor::learn() {
 bool CarpetColor::is_same_carpet_as(Learned& seen) const {
   constexpr double kMostStep = 0.25, kLeastStep = 3.0;  // of the saturation; of chroma
   const Fit fitted = fit(seen);
-  if (static_cast<double>(fitted.near) < kFewestShare * static_cast<double>(samples_.size())) return false;
+  if (static_cast<double>(fitted.near) < kFewestFraction * static_cast<double>(samples_.size())) return false;
   const Eigen::Vector2d known = learned_.chroma_at(fitted.place);
   if (is_greenish(known.x(), known.y()) && !is_greenish(fitted.chroma.x(), fitted.chroma.y())) return false;
   return (fitted.chroma - known).norm() <= std::max(kLeastStep, kMostStep * known.norm());
@@ -130,7 +133,7 @@ std::optional<CarpetColor::Dominant> CarpetColor::find_dominant() const {
     }
   }
   const bool is_enough = static_cast<std::size_t>(best.count) >= kFewestSamples &&
-                         best.count >= kFewestShare * static_cast<double>(samples_.size());
+                         best.count >= kFewestFraction * static_cast<double>(samples_.size());
   return is_enough ? std::optional(best) : std::nullopt;
 }
 

@@ -42,7 +42,7 @@ void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells
     cb_[count] = pair[1];
     cr_[count++] = pair[3];
   });
-  const CarpetPart own = part;  // a copy that nothing else can change
+  const CarpetPart own = part;  // a local copy, which cannot alias other memory
   for (std::size_t k = 0; k < count; ++k) found_[k] = static_cast<int>(own.surface(y_[k], cb_[k], cr_[k]));
   count = 0;
   each_cell([&](int i, int j) {

@@ -6,8 +6,8 @@
 namespace reorient {
 namespace {
 
-constexpr double kLeastShare = 0.35;  // fraction of the columns that the first edge explains
-constexpr int kFewest = 6;            // smallest number of columns of an edge
+constexpr double kLeastFraction = 0.35;  // fraction of the columns that the first edge explains
+constexpr int kFewest = 6;               // smallest number of columns of an edge
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void StraightEdges::find(const CarpetMap& map, const CameraModel& camera, const 
   while (size_ < edges_.size() && open_count_ >= kFewest) {
     Edge edge = best_edge();
     edge.score -= columns_lost_to(edge);
-    if (edge.score < std::max<double>(kFewest, size_ == 0 ? kLeastShare * all_count_ : 0.0)) return;
+    if (edge.score < std::max<double>(kFewest, size_ == 0 ? kLeastFraction * all_count_ : 0.0)) return;
     edges_[size_++] = edge;
     remove_explained(edge);
   }

@@ -95,8 +95,8 @@ std::optional<CenterCircle> CenterCircleFinder::find(std::span<const LinePoint> 
   for (const LinePoint& point : points) {
     const Vector2d out = point.position - *center;
     if (is_on_circle(point, *center, radius_)) {
-      const double share = direction_of(out) / (2.0 * kPi) + 0.5;
-      bins |= 1u << std::clamp(static_cast<int>(share * kBins), 0, kBins - 1);
+      const double fraction = direction_of(out) / (2.0 * kPi) + 0.5;
+      bins |= 1u << std::clamp(static_cast<int>(fraction * kBins), 0, kBins - 1);
       ++on_circle;
     } else if (out.norm() > 0.5 * radius_ && out.norm() < 1.5 * radius_ && !is_radial(point, *center)) {
       ++beside;

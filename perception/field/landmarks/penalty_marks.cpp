@@ -15,8 +15,8 @@ constexpr double kBesideBall = 0.3;  // m, distance from the ball within which w
 
 constexpr std::size_t kAround = 32;
 
-/// Mean luma of a ring around a position. Nearly all of its visible part must be carpet. `step`: uses each position (1)
-/// or every n-th.
+/// Mean luma of a ring around a position. Nearly all of its visible part must be carpet. `step`: uses every
+/// n-th position.
 std::optional<double> luma_of_carpet_ring(const FieldImage& seen, const Vector2d& center, double radius,
                                           std::size_t step, int most_others) {
   constexpr std::size_t kMostOutside = kAround / 4;  // of the image

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lines of one image on the ground, in one value. They are used to separate lines from objects on or in front of
 // them.
-// with it.
 #pragma once
 
 #include <optional>

@@ -313,14 +313,14 @@ std::optional<LinePoints::StripeColor> LinePoints::usual_stripe() {
 /// every point stays. A distant line is mixed with the carpet around it in luma and chroma, so the limit is lower for a
 /// fainter stripe. `usual_contrast`: 0 if unknown.
 void LinePoints::keep_white(const CarpetColor& color, double usual_contrast, FieldPercept& percept) const {
-  constexpr double kLeastShare = 0.2, kNoise = 2.0;
+  constexpr double kLeastFraction = 0.2, kNoise = 2.0;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < colors_.size(); ++i) {
     const StripeColor& stripe = colors_[i];
     const Vector2d white = color.white_less_carpet(stripe.carpet);
     const double norm = white.norm();
     const double faintness = usual_contrast > 0.0 ? std::min(1.0, stripe.contrast / usual_contrast) : 1.0;
-    const double least = faintness * kLeastShare * norm * norm;
+    const double least = faintness * kLeastFraction * norm * norm;
     if (norm > kNoise * color.deviation() && stripe.less_carpet.dot(white) < least) continue;
     percept.line_points[kept++] = percept.line_points[i];
   }

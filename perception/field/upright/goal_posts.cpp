@@ -39,12 +39,12 @@ void GoalPosts::find(const FieldImage& frame, FieldPercept& percept) {
   percept.goal_posts.clear();
   if (frame.image.width < 16 || frame.image.height < 16) return;
   // A post crosses everything between its foot and the horizon: the carpet, the carpet's border and the room.
-  for (const double share : {0.0, -0.15, 0.5, 0.9}) scan(frame, share, percept);
+  for (const double fraction : {0.0, -0.15, 0.5, 0.9}) scan(frame, fraction, percept);
 }
 
-/// Scans along a line at the fraction `share` of the distance from the boundary (0) to the horizon (1). Large images
+/// Scans along a line at `fraction` of the distance from the boundary (0) to the horizon (1). Large images
 /// are read at half of their size, which is sharp enough for a post and less noisy.
-void GoalPosts::scan(const FieldImage& frame, double share, FieldPercept& percept) {
+void GoalPosts::scan(const FieldImage& frame, double fraction, FieldPercept& percept) {
   const ImageView& image = frame.image;
   const double left = frame.view.horizon(0.0);
   const double tilt = (frame.view.horizon(image.width - 1.0) - left) / std::max(1.0, image.width - 1.0);
@@ -52,7 +52,7 @@ void GoalPosts::scan(const FieldImage& frame, double share, FieldPercept& percep
   const auto row_of = [&](double x) {
     const double border = std::min(boundary_at(percept.boundary, image.width, x), image.height - 1.0);
     const double horizon = is_straight ? left + tilt * x : frame.view.horizon(x);
-    return static_cast<int>(std::clamp(border + share * (horizon - border), 1.0, image.height - 2.0));
+    return static_cast<int>(std::clamp(border + fraction * (horizon - border), 1.0, image.height - 2.0));
   };
   const int step = image.width > 400 ? 2 : 1;
   luma_.resize(static_cast<std::size_t>(image.width / step));
@@ -260,7 +260,9 @@ bool GoalPosts::outline_agrees(const FieldImage& frame, const Candidate& candida
   constexpr double kBelowBar = 0.86;             // fraction of its height
   constexpr double kLeastOfOneSide = 0.7, kLeastOfBothSides = 1.85;  // fraction of the heights that must agree
   const Vector3d side_step = 0.5 * field_.goal_post_diameter * upright.foot.cross(upright.top).normalized();
-  const auto point_at = [&](double share) -> Vector3d { return upright.foot + share * (upright.top - upright.foot); };
+  const auto point_at = [&](double fraction) -> Vector3d {
+    return upright.foot + fraction * (upright.top - upright.foot);
+  };
   const auto project = [&](const Vector3d& point) -> std::optional<Vector2d> {
     auto pixel = frame.view.camera().project(point);
     if (pixel && !inside(frame.image, *pixel)) pixel.reset();

@@ -38,7 +38,7 @@ class GoalPosts {
     Eigen::Vector3d foot, top;
   };
 
-  void scan(const FieldImage& frame, double share, FieldPercept& percept);
+  void scan(const FieldImage& frame, double fraction, FieldPercept& percept);
   void consider(const FieldImage& frame, const Eigen::Vector2d& pixel, double width, FieldPercept& percept) const;
   bool may_be_post(const FieldImage& frame, const Eigen::Vector2d& pixel, const Ycbcr& look) const;
   bool is_lighter_than_carpet(const FieldImage& frame, const Ycbcr& look) const;

@@ -69,7 +69,7 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
                                    int column, int first_row, double least_height) const {
   constexpr double kInside = 0.4;               // m, smallest distance to the border of the carpet
   const double most_gap = 0.05 / least_height;  // carpet color that does not end an obstacle: noise, knees
-  constexpr double kLeastShare = 0.5;           // fraction of its cells that certainly are not carpet
+  constexpr double kLeastFraction = 0.5;        // fraction of its cells that certainly are not carpet
   const double x = map.column_pixel(column);
   const double border = percept.boundary[static_cast<std::size_t>(column)];
   if (is_post(percept, x, map.column_width())) return {};
@@ -98,7 +98,7 @@ Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection&
     ++cells;
     other += surface == Surface::other ? 1 : 0;
     if (map.row_pixel(row) > head_row || surface == Surface::carpet) continue;
-    return other >= kLeastShare * cells ? foot : Foot{};
+    return other >= kLeastFraction * cells ? foot : Foot{};
   }
   return {};
 }

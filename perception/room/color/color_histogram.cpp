@@ -56,13 +56,13 @@ ColorHistogram normalized(const ColorCounts& counts) {
   return histogram;
 }
 
-ColorHistogram blurred(const ColorHistogram& histogram, double share) {
+ColorHistogram blurred(const ColorHistogram& histogram, double fraction) {
   const auto value = [&](int slice, int quadrant) {
     if (slice < 0) return histogram[0];
     if (slice > 2) return histogram[1];
     return histogram[static_cast<std::size_t>(2 + 4 * slice + quadrant)];
   };
-  const float given = static_cast<float>(share);
+  const float given = static_cast<float>(fraction);
   const float kept = 1.0f - 4.0f * given;
   ColorHistogram result{};
   result[0] = kept * histogram[0];

@@ -82,8 +82,8 @@ int color_bin(const Ycbcr& pixel, const ColorThresholds& thresholds);
 
 ColorHistogram normalized(const ColorCounts& counts);
 
-/// Moves the fraction `share` of each bin to each of its four neighbors: the slices above and below (black below the
+/// Moves `fraction` of each bin to each of its four neighbors: the slices above and below (black below the
 /// darkest slice, white above the brightest) and the two quadrants that differ in one sign. The sum is unchanged.
-ColorHistogram blurred(const ColorHistogram& histogram, double share);
+ColorHistogram blurred(const ColorHistogram& histogram, double fraction);
 
 }  // namespace reorient

@@ -10,14 +10,14 @@
 namespace reorient {
 namespace {
 
-/// w of the comment of the class.
+/// The weight w of the class comment.
 double weight_of(int tile, const ComparedModel& model, const EvidenceParameters& parameters) {
   const std::optional<double> difference = model.difference_to_reflection(tile);
   if (!difference) return 1.0;
-  const auto share = [](double amount, double half) { return amount > 0.0 ? amount / (amount + half) : 0.0; };
-  return share(*difference * *difference, parameters.distinct * parameters.distinct) *
-         share(model.trained(tile), parameters.half_trained) *
-         share(model.reflection_trained(tile), parameters.half_trained);
+  const auto fraction = [](double amount, double half) { return amount > 0.0 ? amount / (amount + half) : 0.0; };
+  return fraction(*difference * *difference, parameters.distinct * parameters.distinct) *
+         fraction(model.trained(tile), parameters.half_trained) *
+         fraction(model.reflection_trained(tile), parameters.half_trained);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ void describe(EvidenceParameters& p, Visit&& visit) {
 /// EvidenceParameters::tolerance, in columns.
 int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall);
 
-/// Each tile counts once, for however long it is in view. An error of a tile, caused by a change of the light or the
+/// Each tile counts once, independent of its time in view. An error of a tile, caused by a change of the light or the
 /// wall, remains from frame to frame. So a view of another tile is new evidence, and a longer view of the same tile is
 /// not.
 ///
@@ -66,7 +66,7 @@ int tolerated_columns(const EvidenceParameters& parameters, const Wall& wall);
 /// two is known, the fit of that one counts with the weight `unknown`.
 class Evidence {
  public:
-  /// Initially nothing was seen of a wall with this many tiles.
+  /// Starts without observations of a wall with this many tiles.
   void restart(int tiles);
   /// One frame of `step` seconds.
   void observe(std::span<const ComparedPlace> places, const ComparedModel& model, double step,

@@ -26,7 +26,7 @@ void ViewChooser::rotate_by_180_degrees() {
   std::swap_ranges(viewing_times_.begin(), half, half);
 }
 
-/// After reading.
+/// Checks the state after reading.
 void ViewChooser::check(std::size_t columns) const {
   check_bytes(viewing_times_.size() == columns,
               "informative views: expected one viewing time for each column of the wall");
@@ -61,7 +61,8 @@ const InformativeViews& ViewChooser::choose(const Wall& wall, const ComparedMode
     int last = -1;
     for (int i = first; i <= first + width; ++i) {
       const int column = columns_[static_cast<std::size_t>(i)];
-      if (column < 0 || column == last) continue;  // a column counts once in a view, for however many directions it has
+      if (column < 0 || column == last)
+        continue;  // a column counts once in a view, independent of its number of directions
       last = column;
       const Score& score = scores_[static_cast<std::size_t>(i)];
       sum.difference += score.difference;

@@ -47,7 +47,7 @@ void fields(Visit&& visit, T& views) {
 
 class ViewChooser {
  public:
-  /// Initially nothing was seen of a wall with this many columns.
+  /// Starts without observations of a wall with this many columns.
   void restart(int columns);
   /// Processes one frame of `step` seconds. Each of the two directions has the greatest score per time, where the time
   /// includes turning there and looking. Parts of the wall with a cosine of incidence below `least_incidence` have no

@@ -10,8 +10,8 @@ namespace reorient {
 
 double smoothing_share(const ConfidenceParameters& parameters, double step, double age) {
   if (parameters.time_constant <= 0.0) return 1.0;
-  const double share = -pinned::expm1(-step / parameters.time_constant);
-  return parameters.true_mean_start ? share / -pinned::expm1(-age / parameters.time_constant) : share;
+  const double fraction = -pinned::expm1(-step / parameters.time_constant);
+  return parameters.true_mean_start ? fraction / -pinned::expm1(-age / parameters.time_constant) : fraction;
 }
 
 void take_shares(Confidences& confidences, const ViewFilter& filter, double view_center,
@@ -22,9 +22,9 @@ void take_shares(Confidences& confidences, const ViewFilter& filter, double view
   confidences.goal_own = filter.share_near(kPi, parameters.goal_half_width);
 }
 
-void smooth(Confidences& confidences, double share) {
-  confidences.current += share * (confidences.raw_current - confidences.current);
-  confidences.opposite += share * (confidences.raw_opposite - confidences.opposite);
+void smooth(Confidences& confidences, double fraction) {
+  confidences.current += fraction * (confidences.raw_current - confidences.current);
+  confidences.opposite += fraction * (confidences.raw_opposite - confidences.opposite);
 }
 
 void restart(Confidences& confidences) {

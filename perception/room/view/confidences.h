@@ -62,7 +62,7 @@ double smoothing_share(const ConfidenceParameters& parameters, double step, doub
 void take_shares(Confidences& confidences, const ViewFilter& filter, double view_center,
                  const ConfidenceParameters& parameters);
 /// Updates the smoothed values with those of this frame.
-void smooth(Confidences& confidences, double share);
+void smooth(Confidences& confidences, double fraction);
 
 /// Restarts as if nothing had been observed. The evidence is unchanged.
 void restart(Confidences& confidences);

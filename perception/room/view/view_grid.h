@@ -40,7 +40,7 @@ class ViewGrid {
   /// evidence in the scores, the fractions are unchanged.
   void correct(const ViewpointScores& scores, double view_center, double step, const ViewFilterParameters& parameters);
 
-  std::size_t cells() const { return shares_.size(); }
+  std::size_t cells() const { return fractions_.size(); }
   /// Cells count to the left.
   ViewCell cell(std::size_t i) const;
   /// Fraction of the belief within `half_width` of an azimuth, both rad. It is assumed uniform within a cell.
@@ -51,8 +51,8 @@ class ViewGrid {
   /// Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    const std::size_t count = self.shares_.size();
-    archive(self.first_, self.shares_);
+    const std::size_t count = self.fractions_.size();
+    archive(self.first_, self.fractions_);
     if constexpr (Archive::kReads) self.check(count);
   }
 
@@ -62,7 +62,7 @@ class ViewGrid {
   void blur(double variance);
 
   double first_ = 0.0;  // azimuth of the center of the first cell (azimuth.h), rad
-  std::vector<double> shares_;
+  std::vector<double> fractions_;
   std::vector<double> weights_;
 };
 

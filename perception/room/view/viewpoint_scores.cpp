@@ -140,9 +140,9 @@ const ViewpointScore& ViewpointScores::at(int turn) const {
 
 double ViewpointScores::distance(double turn) const {
   const double below = std::floor(turn);
-  const double share = turn - below;
+  const double fraction = turn - below;
   const int cell = static_cast<int>(below);
-  return (1.0 - share) * at(cell).distance + share * at(cell + 1).distance;
+  return (1.0 - fraction) * at(cell).distance + fraction * at(cell + 1).distance;
 }
 
 }  // namespace reorient

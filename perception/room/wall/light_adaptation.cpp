@@ -9,9 +9,9 @@
 namespace reorient {
 namespace {
 
-/// Weighted mean: the fraction `share` of `b`, and the rest of `a`.
-Light mixed(const Light& a, const Light& b, double share) {
-  return {a.luma + share * (b.luma - a.luma), a.cb + share * (b.cb - a.cb), a.cr + share * (b.cr - a.cr)};
+/// Weighted mean: `fraction` of `b`, and the rest of `a`.
+Light mixed(const Light& a, const Light& b, double fraction) {
+  return {a.luma + fraction * (b.luma - a.luma), a.cb + fraction * (b.cb - a.cb), a.cr + fraction * (b.cr - a.cr)};
 }
 
 }  // namespace
@@ -74,8 +74,8 @@ void LightAdaptation::observe(std::span<const TileLight> frame, double elapsed, 
   for (const TileLight& seen : frame) {
     if (seen.sums.pixels < kFewest) continue;
     SeenLight& tile = tiles_[static_cast<std::size_t>(seen.tile)];
-    const double share = tile.known && elapsed > 0.0 ? elapsed / (parameters.time_constant + elapsed) : 1.0;
-    tile.light = mixed(tile.light, seen.sums.mean(), share);
+    const double fraction = tile.known && elapsed > 0.0 ? elapsed / (parameters.time_constant + elapsed) : 1.0;
+    tile.light = mixed(tile.light, seen.sums.mean(), fraction);
     tile.known = true;
     tile.unseen = 0.0;
     unseen_ = 0.0;

@@ -27,11 +27,12 @@ struct Rgb {
 Image read_png(const std::filesystem::path& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&png, file.c_str()) == 0) throw std::runtime_error(file.string() + ": no PNG");
+  if (png_image_begin_read_from_file(&png, file.c_str()) == 0)
+    throw std::runtime_error(file.string() + ": not a valid PNG file");
   png.format = PNG_FORMAT_RGB;
   std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(file.string() + ": damaged PNG");
+    throw std::runtime_error(file.string() + ": damaged PNG file");
   }
   Image image(static_cast<int>(png.width) / 2 * 2, static_cast<int>(png.height));
   for (int y = 0; y < image.height(); ++y) {
@@ -55,7 +56,7 @@ Image read_yuyv(const std::filesystem::path& file, int width, int height, std::s
   in.seekg(static_cast<std::streamoff>(header));
   Image image(width, height);
   for (int y = 0; y < height; ++y) in.read(reinterpret_cast<char*>(image.row(y)), std::streamsize{2} * width);
-  if (!in) throw std::runtime_error(file.string() + ": too short");
+  if (!in) throw std::runtime_error(file.string() + ": truncated");
   return image;
 }
 

@@ -83,7 +83,7 @@ double log_odds_after(double one, double other) {
   return robot.evidence.log_odds();
 }
 
-TEST(Evidence, IsSmallerForTilesThatWereSeenForAMoment) {
+TEST(Evidence, IsSmallerForTilesThatWereSeenOnlyBriefly) {
   const double half = EvidenceParameters{}.half_trained;
   const double full = log_odds_after(1e6, 1e6);
   EXPECT_NEAR(log_odds_after(half, 1e6) / full, 0.5, 1e-3);

@@ -45,7 +45,7 @@ TEST(Azimuth, OfEachOfTheFourSidesHasAnExactOpposite) {
   EXPECT_LT(std::abs(to_azimuth(0.1) - 0.1), 1e-15);
 }
 
-RC_GTEST_PROP(HalfTime, DoneTwiceIsTheIdentityBitForBit, ()) {
+RC_GTEST_PROP(HalfTime, AppliedTwiceIsExactlyTheIdentity, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
   RoomParameters parameters;
   parameters.wall.columns = 2 * *rc::gen::inRange(2, 30);

@@ -105,11 +105,11 @@ inline std::vector<DamagedModel> damaged_models() {
   };
   cut(0, "it is empty");
   for (const std::size_t size : {1u, 4u, 7u}) cut(size, "it is not a model of a room");
-  for (const std::size_t size : {8u, 11u, 12u, 15u, 16u, 23u}) cut(size, "it is cut short");
-  for (const std::size_t size : {24u, 47u, 93u, 94u, 246u}) cut(size, "it is cut short");
-  cut(good.size() / 2, "it is cut short");
-  cut(good.size() - 8, "it is cut short");
-  cut(good.size() - 1, "it is cut short");
+  for (const std::size_t size : {8u, 11u, 12u, 15u, 16u, 23u}) cut(size, "it is truncated");
+  for (const std::size_t size : {24u, 47u, 93u, 94u, 246u}) cut(size, "it is truncated");
+  cut(good.size() / 2, "it is truncated");
+  cut(good.size() - 8, "it is truncated");
+  cut(good.size() - 1, "it is truncated");
 
   const auto flip = [&](const char* what, std::size_t offset, const char* reason) {
     all.push_back(

@@ -178,7 +178,7 @@ TEST_P(ViewFilterBy, RotatedTwiceBy180DegreesHasTheSameBits) {
   EXPECT_EQ(bytes_of(filter), before);
 }
 
-TEST_P(ViewFilterBy, ContinuesFromItsBytesWithoutDifference) {
+TEST_P(ViewFilterBy, ContinuesExactlyFromItsSavedState) {
   look(3, 0.7, 20);
   const std::vector<std::byte> bytes = bytes_of(filter);
   ViewFilter other(99);

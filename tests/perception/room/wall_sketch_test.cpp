@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-/// The least optional instructions that the processor supports.
+/// The narrowest version with optional instructions that the processor supports.
 Instructions narrowest_wide_instructions() {
   return offered(Instructions::sse4) ? Instructions::sse4 : widest_instructions();
 }
