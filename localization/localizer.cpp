@@ -70,7 +70,7 @@ SensedBelief Localizer::update(const LocalizerInputs& inputs) {
   return sensed;
 }
 
-/// The larger one of the two cameras.
+/// Standard deviation of the tilt of the less certain camera, rad.
 double Localizer::bias_deviation(const std::array<CameraPercept, 2>& seen) const {
   double deviation = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {

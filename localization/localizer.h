@@ -34,7 +34,7 @@ struct LocalizerInputs {
   double time_step = 0.0;             ///< s since the previous frame
   Pose2 odometry;                     ///< dead reckoning since the start
   Pose2 odometry_step;                ///< the same since the previous frame
-  bool upright = true;                ///< otherwise the poses of the cameras are unknown
+  bool upright = true;                ///< false: the poses of the cameras are unknown
   std::array<CameraPercept, 2> seen;  ///< of the upper and the lower camera
   SeenGoal goal = SeenGoal::unknown;
   std::optional<SeenView> view{};
@@ -54,7 +54,7 @@ class Localizer {
   /// One sample of the accelerometer, see GravityBias. The mean acceleration is gravity only while the robot is
   /// upright, not while it falls or is lifted.
   void feel_gravity(bool upright, const Eigen::Vector3d& acceleration, const TorsoAttitude& torso, double time);
-  /// The robot fell or was lifted: it may have moved at `time`, s.
+  /// The robot fell or was lifted at `time`, s, and may have moved.
   void doubt(double time);
 
   /// Processes one frame.

@@ -13,8 +13,8 @@ namespace reorient {
 struct PoseBelief {
   Pose2 pose;                                            ///< mean of the heaviest cluster of pose particles
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y, rotation in that cluster; m^2, m rad, rad^2
-  double cluster_weight = 0.0;                           ///< fraction of all particles in that cluster
-  double reflected_weight = 0.0;                         ///< fraction of all particles near the reflection of `pose`
+  double cluster_weight = 0.0;                           ///< of that cluster, as a fraction of all particles' weight
+  double reflected_weight = 0.0;                         ///< the same near the reflection of `pose`
 };
 
 template <typename Visit, ConstOr<PoseBelief> T>
@@ -26,7 +26,7 @@ void fields(Visit&& visit, T& belief) {
 struct SensedBelief {
   PoseBelief belief;
   bool tracked = true;                ///< percepts have fitted the belief, or its reflection, for seconds
-  double recovery_probability = 0.0;  ///< 0 to 1: how clearly the robot is away from the particles
+  double recovery_probability = 0.0;  ///< 0 to 1, that the robot is away from the particles
 };
 
 /// The covariance of a belief that is wrong with probability `doubt`. If it is wrong, the robot is anywhere on a field

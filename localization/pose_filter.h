@@ -56,8 +56,8 @@ class PoseFilter {
 
   /// Follows the robot's motion since the last frame, `odometry_step` = last.inverse() * now, over `time_step` seconds.
   void predict(const Pose2& odometry_step, double time_step);
-  /// Weighs and resamples the particles by the percept. Injects new ones if a goal is in view, and, while the robot is
-  /// lost, new ones with headings from the view. Ignores values of the percept that are not finite.
+  /// Weighs and resamples the particles by the percept. Injects new ones from a goal in view and, while the robot is
+  /// lost, from other landmarks and from the view. Ignores values of the percept that are not finite.
   /// `bias_deviation`: standard deviation of the camera's tilt, rad.
   void update(const FieldPercept& percept, SeenGoal seen_goal, const std::optional<SeenView>& view = std::nullopt,
               double bias_deviation = 0.0);

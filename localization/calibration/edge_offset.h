@@ -47,7 +47,7 @@ struct EdgeAngles {
 };
 EdgeAngles edge_angles(std::span<const EdgeView> before, std::span<const EdgeView> after);
 
-/// A bound that no constant offset can reach: the angles after each image has got its own tilt and roll around the
+/// A lower bound for any constant offset: the angles after each image has got its own tilt and roll around the
 /// estimate. These are fitted to every second edge and evaluated on the others, and the other way around.
 /// `views`: already corrected.
 std::vector<WeightedResidual> angles_with_own_offsets(std::span<const EdgeView> views, double noise);

@@ -78,7 +78,7 @@ class GoalInjection {
   std::optional<GoalSighting> find_goal(const FieldPercept& percept, const MeasurementModel& observed,
                                         const InjectionParameters& parameters) const;
 
-  /// Draws some poses that explain the sighting at random, and returns the one that explains the other observations
+  /// Draws some random poses that explain the sighting, and returns the one that explains the other observations
   /// best. If the goal is unknown, both are equally likely. Empty if all of the poses would be off the carpet.
   std::optional<Pose2> draw(const GoalSighting& sighting, SeenGoal seen_goal, const MeasurementModel& observed,
                             const InjectionParameters& parameters, Random& random);

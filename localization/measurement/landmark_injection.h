@@ -23,7 +23,7 @@ class LandmarkInjection {
   /// Number of landmarks of the percept from which a pose can be computed.
   static std::size_t landmarks(const FieldPercept& percept);
 
-  /// Draws some poses that explain one of the landmarks within its measurement errors at random, and returns the one
+  /// Draws some random poses that explain one of the landmarks within its measurement errors, and returns the one
   /// that explains the other observations best. Empty without a landmark, or if all of the poses are off the carpet.
   std::optional<Pose2> draw(const FieldPercept& percept, const MeasurementModel& observed,
                             const InjectionParameters& parameters, Random& random);

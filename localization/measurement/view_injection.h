@@ -18,7 +18,7 @@ class ViewInjection {
  public:
   explicit ViewInjection(const FieldDimensions& field);
 
-  /// Draws some poses on the carpet that fit the view at random, and returns the one that fits the observations best.
+  /// Draws some random poses on the carpet that fit the view, and returns the one that fits the observations best.
   /// The first half is drawn anywhere, the second half around the best of the first half.
   Pose2 draw(const SeenView& view, const MeasurementModel& observed, const InjectionParameters& parameters,
              Random& random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Angles as integers with 2^32 steps per turn, so that they wrap without code and half a turn is exact. Therefore a
+// Angles as integers with 2^32 steps per turn, so that they wrap automatically and half a turn is exact. Therefore a
 // particle and its reflection get exactly the same weight, and two flips are the identity.
 #pragma once
 

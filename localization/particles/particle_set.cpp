@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-constexpr float kLeastWeight = 1e-12f;  // one frame never rules out a particle for good
+constexpr float kLeastWeight = 1e-12f;  // lower limit, so that no frame rules out a particle for good
 
 /// Computed as several independent minima, for instruction-level parallelism.
 float least_of(const std::vector<float>& values) {

@@ -22,7 +22,7 @@ void describe(PoseClusterParameters& p, Visit&& visit) {
   visit("max_rotation_difference", p.max_rotation_difference, 0.1, 3.0, "rad",
         "largest difference between the rotations of a cluster's particles and of its mean");
   visit("lead_to_switch", p.lead_to_switch, 1.0, 10.0, "",
-        "ratio of its weight to that of the believed cluster at which another cluster becomes the belief");
+        "ratio of another cluster's weight to the believed one's at which that cluster becomes the belief");
 }
 
 /// Finds clusters by counting in overlapping bins and shifting the mean of the fullest (Fukunaga and Hostetler, 1975).

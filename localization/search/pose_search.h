@@ -33,7 +33,7 @@ void describe(PoseSearchParameters& p, Visit&& visit) {
   visit("enabled", p.enabled, "whether a lost robot matches its percepts of the last seconds with the field");
   visit("candidates", p.candidates, 2, 1000, "", "number of poses and tilts tried in each frame");
   visit("fewest_points", p.fewest_points, 1, 200, "", "smallest number of line points and posts for a search");
-  visit("least_time", p.least_time, 0.0, 6.0, "s", "shortest time over which they were seen");
+  visit("least_time", p.least_time, 0.0, 6.0, "s", "shortest time from the first to the last percept of a search");
   visit("least_fit", p.least_fit, 0.1, 1.0, "",
         "smallest fraction of the line points on lines for a pose that counts as found");
   visit("lead", p.lead, 0.0, 100.0, "", "smallest lead of the best pose over any other, in log-likelihood");
