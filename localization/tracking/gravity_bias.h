@@ -14,8 +14,7 @@
 namespace reorient {
 
 /// Compares the measured attitude with the direction of gravity, as a mean over some seconds on the feet, in which the
-/// accelerations of steps cancel out. Gives only one estimate, since all would share the accelerometer's
-/// constant error.
+/// accelerations of steps cancel out. Gives only one estimate: all would share the accelerometer's constant error.
 class GravityBias {
  public:
   /// One sample of a robot on its feet. `acceleration`: of the torso against free fall, in its own frame, m/s^2.

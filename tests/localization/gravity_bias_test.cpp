@@ -74,7 +74,7 @@ TEST(GravityBias, IsNotReportedWithoutAnAccelerometerOrFromInvalidValues) {
   }
 }
 
-TEST(GravityBias, IsWeighedAgainstTheUsualBiasAndKeptWhenThePoseIsLost) {
+TEST(GravityBias, IsWeighedAgainstTheUsualBiasAndRemainsWhenThePoseIsLost) {
   const TiltBias five_degrees{0.0, from_degrees(-5.0)};
   PoseTracker tracker({}, FieldDimensions());
   const double before = tracker.bias().deviation;

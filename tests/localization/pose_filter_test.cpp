@@ -159,7 +159,7 @@ RC_GTEST_PROP(PoseFilter, StaysFiniteWithAnyInput, ()) {
   RC_ASSERT((belief.pose.position.cwiseAbs().array() <= limit.array() + 1e-6).all());
 }
 
-TEST(PoseFilter, RepeatsARunWithTheSameSeedOnly) {
+TEST(PoseFilter, GivesTheSameResultOnlyWithTheSameSeed) {
   const auto run = [](std::uint64_t seed) {
     PoseFilter filter = spl_filter(seed);
     filter.set_initial_pose({-3.2, 0.0, 0.0}, 0.2, 0.1);

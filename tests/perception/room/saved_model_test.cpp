@@ -73,7 +73,7 @@ TEST(SavedModel, WithImpossibleCameraAnglesIsRefused) {
 TEST(SavedModel, OfTheFirstFormatIsReadWithoutAngles) {
   const SavedModel model = some_model(1);
   ModelBytes bytes = bytes_of(model);
-  bytes.erase(bytes.end() - 9);  // the flag before the checksum that says that there are no angles
+  bytes.erase(bytes.end() - 9);  // the flag for missing angles, before the checksum
   bytes = test::with(std::move(bytes), test::kVersionAt, std::uint32_t{1});
   std::uint32_t size = 0;
   std::memcpy(&size, bytes.data() + test::kSizeAt, sizeof(size));
