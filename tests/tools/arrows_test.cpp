@@ -55,12 +55,12 @@ TEST_F(House, PassesWhereAllArrowsRunAsTheTableSays) { EXPECT_EQ(check(), "exit 
 
 TEST_F(House, FailsAnIncludeThatTheTableDoesNotAllowWithItsLine) {
   write("ground/stone.cpp", "\n  #  include \"upper/beam.h\"\n");
-  EXPECT_EQ(check(), "ground/stone.cpp:2: includes upper/beam.h, but ground/ may not include upper/\nexit 1");
+  EXPECT_EQ(check(), "ground/stone.cpp:2: includes upper/beam.h, but ground/ must not include upper/\nexit 1");
 }
 
 TEST_F(House, IsNotFooledByAngleBrackets) {
   write("ground/stone.cpp", "#include <upper/beam.h>\n");
-  EXPECT_EQ(check(), "ground/stone.cpp:1: includes upper/beam.h, but ground/ may not include upper/\nexit 1");
+  EXPECT_EQ(check(), "ground/stone.cpp:1: includes upper/beam.h, but ground/ must not include upper/\nexit 1");
 }
 
 TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
@@ -69,7 +69,7 @@ TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
       "| `roof/` | everything |\n<!-- arrows: end -->\n";
   write("docs/architecture.md", rooms + "<!-- house: begin -->\nold\n<!-- house: end -->\nThe end.\n");
   EXPECT_EQ(check(),
-            "docs/architecture.md: the picture differs from the table; tools/arrows --draw draws it again\nexit 1");
+            "docs/architecture.md: the diagram differs from the table; tools/arrows --draw draws it again\nexit 1");
   EXPECT_EQ(check("--draw"), "exit 0");
   EXPECT_EQ(check(), "exit 0");
   // That the attic stands on the ground follows from what stands between.
@@ -82,19 +82,19 @@ TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
 
 TEST_F(House, FailsAnIncludeOfWhatIsNotThere) {
   write("upper/beam.cpp", "#include \"beam.h\"\n");
-  EXPECT_EQ(check(), "upper/beam.cpp:1: there is no beam.h\nexit 1");
+  EXPECT_EQ(check(), "upper/beam.cpp:1: unknown header beam.h (expected a path from the top of the tree)\nexit 1");
 }
 
 TEST_F(House, FailsAFileInNoRoom) {
   write("shed/rake.h", "");
-  EXPECT_EQ(check(), "shed/rake.h: in no room of docs/architecture.md\nexit 1");
+  EXPECT_EQ(check(), "shed/rake.h: unknown module (expected one of docs/architecture.md)\nexit 1");
 }
 
 TEST_F(House, FailsACircleOfIncludesWithinARoom) {
   write("upper/a.h", "#include \"upper/b.h\"\n");
   write("upper/b.h", "#include \"upper/c.h\"\n");
   write("upper/c.h", "#include \"upper/b.h\"\n");
-  EXPECT_EQ(check(), "includes run in a circle: upper/b.h upper/c.h upper/b.h\nexit 1");
+  EXPECT_EQ(check(), "includes form a cycle: upper/b.h upper/c.h upper/b.h\nexit 1");
 }
 
 TEST_F(House, FailsACircleOfFoldersWithinARoom) {
@@ -102,18 +102,20 @@ TEST_F(House, FailsACircleOfFoldersWithinARoom) {
   write("upper/right/deep/b.h", "");
   write("upper/right/c.h", "#include \"upper/left/d.h\"\n");
   write("upper/left/d.h", "#include \"upper/beam.h\"\n");
-  EXPECT_EQ(check(), "includes of folders run in a circle: upper/left/ upper/right/ upper/left/\nexit 1");
+  EXPECT_EQ(check(), "includes of folders form a cycle: upper/left/ upper/right/ upper/left/\nexit 1");
 }
 
 TEST_F(House, FailsACircleInTheTable) {
   write("docs/architecture.md",
         "<!-- arrows: begin -->\n| `ground/` | `upper/` |\n| `upper/` | `ground/` |\n<!-- arrows: end -->\n");
-  EXPECT_EQ(check(), "docs/architecture.md: arrows run in a circle: ground/ upper/ ground/\nexit 1");
+  EXPECT_EQ(check(), "docs/architecture.md: modules form a cycle: ground/ upper/ ground/\nexit 1");
 }
 
 TEST_F(House, AsksForATable) {
   write("docs/architecture.md", "no table\n");
-  EXPECT_EQ(check(), "tools/arrows: docs/architecture.md has no table of arrows\nexit 2");
+  EXPECT_EQ(check(),
+            "tools/arrows: docs/architecture.md: expected a table of modules after <!-- arrows: begin -->, found none\n"
+            "exit 2");
 }
 
 }  // namespace

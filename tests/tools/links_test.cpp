@@ -50,7 +50,7 @@ TEST_F(Pages, PassWhereAllLinksLeadSomewhere) {
 
 TEST_F(Pages, FailWithTheLineOfALinkToNowhere) {
   write("docs/other.md", "\n[one](guide.md) [two](README.md)\n");
-  EXPECT_EQ(check(), "docs/other.md:2: there is no README.md; write the path from docs/ on\nexit 1");
+  EXPECT_EQ(check(), "docs/other.md:2: missing file README.md (expected a path from docs/)\nexit 1");
 }
 
 TEST_F(Pages, FailALinkToAHeadingThatIsNotThere) {
@@ -60,7 +60,7 @@ TEST_F(Pages, FailALinkToAHeadingThatIsNotThere) {
 
 TEST_F(Pages, FailAReferenceToNowhere) {
   write("README.md", "[one][two]\n\n[two]: docs/two.md\n");
-  EXPECT_EQ(check(), "README.md:3: there is no docs/two.md; write the path from the top on\nexit 1");
+  EXPECT_EQ(check(), "README.md:3: missing file docs/two.md (expected a path from the top)\nexit 1");
 }
 
 TEST_F(Pages, AreNotReadInCode) {

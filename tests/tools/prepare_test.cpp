@@ -50,15 +50,16 @@ TEST_F(Tree, IsNotConfiguredAgainWhereItStayed) {
 
 TEST_F(Tree, IsConfiguredAgainWhereItWasMoved) {
   configured_for("/where/it/was");
-  EXPECT_EQ(build(), std::string("reorient: this tree was at /where/it/was; building again (a few minutes, once)\n"
-                                 "cmake --fresh --preset release\n") +
-                         kBuilds);
+  EXPECT_EQ(build(),
+            std::string("reorient: the build folder belongs to /where/it/was; building again (a few minutes, once)\n"
+                        "cmake --fresh --preset release\n") +
+                kBuilds);
 }
 
 TEST_F(Tree, IsConfiguredAgainWhereItIsACopy) {
   const TemporaryFolder original;
   configured_for(original.path());
-  EXPECT_EQ(build(), "reorient: this tree was at " + original.path().string() +
+  EXPECT_EQ(build(), "reorient: the build folder belongs to " + original.path().string() +
                          "; building again (a few minutes, once)\ncmake --fresh --preset release\n" + kBuilds);
 }
 
