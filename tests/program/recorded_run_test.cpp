@@ -94,7 +94,7 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   std::ofstream(scripts / "behaviors" / "wall_gaze.lua", std::ios::app) << "\n-- edited\n";
   const ProgramRun edited = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
   EXPECT_EQ(edited.code, 0) << edited.err;
-  EXPECT_NE(edited.out.find("behaviors/wall_gaze.lua was taken over"), std::string::npos) << edited.out;
+  EXPECT_NE(edited.out.find("behaviors/wall_gaze.lua was accepted"), std::string::npos) << edited.out;
   EXPECT_NE(edited.out.find("no decision of a behavior differs"), std::string::npos) << edited.out;
   std::filesystem::remove(scripts / "behaviors" / "wall_gaze.lua");
   const ProgramRun without = run_reorient({"replay", file("run.mcap"), "--scripts", scripts.string()});
@@ -234,7 +234,7 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
                    {"run", "--seconds", "10", "--width", "160", "--no-pictures", "--record", file("run.mcap")},
                    files_up_to(2'000'000));
   EXPECT_EQ(run.wait(), 1) << run.err();  // the job takes longer
-  EXPECT_NE(run.err().find("reorient: the recording ends here: " + file("run.mcap") + ": it cannot be written: "),
+  EXPECT_NE(run.err().find("reorient: the recording ends here: " + file("run.mcap") + ": the file cannot be written: "),
             std::string::npos)
       << run.err();
   EXPECT_NE(run.out().find("10.0 s in 301 frames"), std::string::npos) << run.out();

@@ -39,7 +39,7 @@ std::string text_of(const ParameterOutcome& change) {
 }
 
 std::string text_of(const ReloadRecord& reload) {
-  return reload.script + (reload.accepted ? " was taken over" : ": " + reload.fault.message);
+  return reload.script + (reload.accepted ? " was accepted" : ": " + reload.fault.message);
 }
 
 std::vector<std::string> events_of(const FrameRecord& frame) {
@@ -64,7 +64,7 @@ std::string_view name_or_nothing(const FrameRecord& frame, NameId name) {
   return name == kNoName ? std::string_view("nothing") : std::string_view(frame.name(name));
 }
 
-/// What has no name of its own in the world, in an order that goes from causes to effects.
+/// Values that are not world fields, in the order from causes to effects.
 Values values_before_world(const FrameRecord& frame) {
   Values values;
   for (std::size_t camera = 0; camera < frame.percepts.size(); ++camera) {
@@ -79,13 +79,13 @@ Values values_before_world(const FrameRecord& frame) {
                         percept.center_circle ? text_of(percept.center_circle->center) : "nothing");
     values.emplace_back(name + "ball", percept.ball ? text_of(percept.ball->position) : "nothing");
     for (const LinePoint& point : percept.line_points) {
-      values.emplace_back(name + "a line point's place (m)", text_of(point.position));
+      values.emplace_back(name + "position of a line point (m)", text_of(point.position));
     }
   }
   return values;
 }
 
-Values values_behind_world(const FrameRecord& frame) {
+Values values_after_world(const FrameRecord& frame) {
   Values values;
   values.emplace_back("events", joined(events_of(frame)));
   for (const MachineStatus& machine : frame.machines) {
@@ -105,7 +105,7 @@ Values actions_of(const FrameRecord& frame) {
                 {"head (yaw, pitch in rad, rad/s)", text_of(request.head)},
                 {"walk (m/s, m/s, rad/s)", text_of(request.walk)},
                 {"get up", request.get_up ? "true" : "false"}};
-  for (const std::string& message : frame.answer.messages) values.emplace_back("word to the team", message);
+  for (const std::string& message : frame.answer.messages) values.emplace_back("message to the team", message);
   return values;
 }
 
@@ -150,7 +150,7 @@ std::vector<std::byte> bytes_of(const FrameRecord& frame, Topic topic) {
 std::optional<Difference> first_difference(const FrameRecord& recorded, const FrameRecord& replayed) {
   std::optional<Difference> found = first_of(values_before_world(recorded), values_before_world(replayed));
   if (!found) found = first_in_world(recorded.world, replayed.world);
-  if (!found) found = first_of(values_behind_world(recorded), values_behind_world(replayed));
+  if (!found) found = first_of(values_after_world(recorded), values_after_world(replayed));
   if (!found) found = first_of(actions_of(recorded), actions_of(replayed));
   for (const TopicInfo& row : kTopics) {
     if (found || !digested_topics().has(row.topic)) continue;
@@ -158,7 +158,7 @@ std::optional<Difference> first_difference(const FrameRecord& recorded, const Fr
     if (then == now) continue;
     const auto place = std::mismatch(then.begin(), then.end(), now.begin(), now.end()).first - then.begin();
     found = Difference{0, 0.0, "topic " + std::string(row.name), std::to_string(then.size()) + " bytes",
-                       std::to_string(now.size()) + " bytes, other ones from byte " + std::to_string(place) + " on"};
+                       std::to_string(now.size()) + " bytes, different from byte " + std::to_string(place)};
   }
   return placed(std::move(found), replayed);
 }

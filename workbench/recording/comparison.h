@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The differences between a replayed frame and the recording, in words.
+// The differences between a replayed frame and the recording, as text.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace reorient {
 
-/// The first value of a frame that is another one.
+/// The first value of a frame that differs.
 struct Difference {
   std::uint64_t frame = 0;
   double time = 0.0;     ///< s of the robot
   std::string what;      ///< "confidence.current", "machine orientation"
-  std::string recorded;  ///< its value then
-  std::string replayed;  ///< and now
+  std::string recorded;  ///< value in the recording
+  std::string replayed;  ///< value in the replay
 };
 
-/// Of two records of the same frame; nothing: they are the same as far as topics with a fingerprint go.
+/// Compares two records of the same frame. Empty: the topics with a fingerprint are the same.
 std::optional<Difference> first_difference(const FrameRecord& recorded, const FrameRecord& replayed);
 
-/// The same for what reaches the robot: the head, the walk, getting up, words, reorientations.
+/// The same for the outputs to the robot: head, walking, getting up, messages, reorientations.
 std::optional<Difference> first_difference_in_action(const FrameRecord& recorded, const FrameRecord& replayed);
 
-/// Compares frame by frame what is replayed with what is recorded.
+/// Compares a replay with its recording frame by frame.
 class ReplayComparison : public Observer {
  public:
   /// `playback` must outlive it.
@@ -35,18 +35,18 @@ class ReplayComparison : public Observer {
 
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
-  std::uint64_t frames() const { return frames_; }        ///< compared
-  std::uint64_t different() const { return different_; }  ///< how many of them
+  std::uint64_t frames() const { return frames_; }        ///< number of compared frames
+  std::uint64_t different() const { return different_; }  ///< number of different frames
   const std::optional<Difference>& first() const { return first_; }
   const std::optional<Difference>& first_action() const { return first_action_; }
 
-  /// A change of state or a command, in one of the two alone or in both.
+  /// A change of state or a command, in the recording, the replay or both.
   struct Event {
     double time = 0.0;
     std::string text;
     bool recorded = false, replayed = false;
   };
-  /// In the order of time; the first kMostEvents.
+  /// The first kMostEvents, in the order of time.
   const std::vector<Event>& events() const { return events_; }
   static constexpr std::size_t kMostEvents = 10000;
 

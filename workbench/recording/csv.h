@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording as tables, for spreadsheets and plots.
+// Writes a recording as CSV tables, for spreadsheets and plots.
 #pragma once
 
 #include <iosfwd>
@@ -11,11 +11,11 @@
 
 namespace reorient {
 
-/// "world", "events".
+/// Names of the tables: "world", "events".
 std::vector<std::string> csv_topics();
 
-/// world: one line a frame, all that behaviors see, and where the robot really was, where that is known. events: one
-/// line for each command and change of state. Throws std::runtime_error with one line: unknown topic.
+/// world: one line for each frame with all world fields, and with the true pose if it is known. events: one line for
+/// each command and change of state. Throws std::runtime_error with one line for an unknown table.
 void write_csv(Recording& recording, std::string_view topic, std::ostream& out);
 
 }  // namespace reorient

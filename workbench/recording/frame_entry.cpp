@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kDigests =
     std::count_if(kTopics.begin(), kTopics.end(), [](const TopicInfo& row) { return row.always && row.reproducible; });
 
-constexpr std::uint32_t kFrameMagic = 0x314D4652;  // "RFM1": another layout gets another number
+constexpr std::uint32_t kFrameMagic = 0x314D4652;  // "RFM1": change it with the layout
 
 template <typename Archive>
 void archive_message(Archive& archive, auto& message) {
@@ -48,10 +48,10 @@ void read_frame_entry(std::span<const std::byte> bytes, FrameEntry& message) {
   ByteReader in(bytes);
   std::uint32_t magic = 0;
   in(magic);
-  check_bytes(magic == kFrameMagic, "a frame was recorded by another version of the program");
+  check_bytes(magic == kFrameMagic, "a frame has the format of another version of the program");
   archive_message(in, message);
   in.finish();
-  check_bytes(message.digests.size() == kDigests, "a frame was recorded by another version of the program");
+  check_bytes(message.digests.size() == kDigests, "a frame has the format of another version of the program");
 }
 
 }  // namespace reorient

@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-// Where a value of the first pixel of a pair lies, and how far it is to the next one: Y0 Cb Y1 Cr.
+// Offset of the first value of a component in a pair of pixels, and step to the next one: Y0 Cb Y1 Cr.
 struct Plane {
   std::size_t first, step;
 };
@@ -38,9 +38,9 @@ void unpack_image(std::span<const std::byte> bytes, Image& image) {
   std::uint16_t width = 0, height = 0;
   in(width, height);
   const std::size_t pixels = std::size_t{width} * height;
-  check_bytes(width % 2 == 0 && in.left() == 2 * pixels, "an image has not as many bytes as pixels");
+  check_bytes(width % 2 == 0 && in.left() == 2 * pixels, "the number of bytes of an image does not fit its size");
   if (image.width() != width || image.height() != height) image = Image(width, height);
-  // All planes at once, so that each pair of pixels is written once.
+  // All planes together, so that each pair of pixels is written once.
   const auto* luma = reinterpret_cast<const std::uint8_t*>(bytes.data()) + (bytes.size() - in.left());
   const std::uint8_t* cb = luma + pixels;
   const std::uint8_t* cr = cb + pixels / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An image prepared for a general compression: luma, Cb and Cr each on their own, each value
-// less its left neighbor. On cameras' noise that halves what zstd makes of the pixels as they come.
+// Prepares an image for a general compression: separate planes of luma, Cb and Cr, each value minus its left neighbor.
+// For noisy camera images this halves the size that zstd achieves on the unchanged pixels.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace reorient {
 
-/// Appends it.
+/// Appends the packed image to the bytes.
 void pack_image(const ImageView& image, std::vector<std::byte>& bytes);
 
-/// The same pixels; `image` keeps its memory where it has that size. Throws BadBytes.
+/// Restores the pixels. `image` reuses its memory if it has the same size. Throws BadBytes.
 void unpack_image(std::span<const std::byte> bytes, Image& image);
 
 }  // namespace reorient

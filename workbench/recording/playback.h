@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A recording as a robot: its observations, the inputs that were set, and its true pose. Where a stretch of frames that
-// can be made again ends, the robot is gone; there may be another stretch.
+// A recording as a robot: its observations, the inputs that were set, and its true pose. The run ends with a section of
+// frames that can be replayed exactly; another section may follow.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace reorient {
 
 class Playback : public Robot, public InputSource, public GroundTruthSource {
  public:
-  /// Plays from `from` (s of the robot) on, or rather from the state before it; no stretch that begins after `to`. The
-  /// recording must outlive it.
+  /// Plays from the last state before `from` (s of the robot), without sections that begin after `to`. The recording
+  /// must outlive it.
   Playback(Recording& recording, double from, double to);
 
-  /// Goes to the next stretch, skipping frames that cannot be replayed. False: no stretch is left.
+  /// Goes to the next section and skips frames that cannot be replayed. False: no section is left.
   bool next_stretch();
-  /// Of the engine, where the stretch begins.
+  /// State of the engine at the beginning of the section.
   const std::vector<std::byte>& state() const { return frame_.state; }
 
-  /// The frame that was observed last.
+  /// The last observed frame.
   const RecordedFrame& frame() const { return frame_; }
   std::uint64_t skipped() const { return skipped_; }  ///< frames, up to `to`
 
@@ -41,9 +41,9 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
   double to_;
   RecordedFrame frame_;
   std::optional<StoredInputs> inputs_;
-  bool begins_ = false;  // the stretch, with the frame that is there already
+  bool begins_ = false;  // the section begins with the frame that was already read
   bool is_over_ = false;
-  bool is_waiting_ = false;  // a frame was read that belongs to no stretch yet
+  bool is_waiting_ = false;  // a frame was read that does not belong to a section yet
   std::uint64_t skipped_ = 0;
 };
 

@@ -43,18 +43,18 @@ std::vector<ViewTopic> view_topics() {
   return topics;
 }
 
-// Frames between two looks at what changes slowly.
+// Frames between two recorded values of slowly changing topics.
 constexpr std::uint64_t kRoomEvery = 30, kParametersEvery = 300;
 
 }  // namespace
 
 struct Recorder::Item {
-  FrameEntry entry;                 // but for its digests, which the thread adds
-  std::vector<std::size_t> places;  // of the topics in entry.record
+  FrameEntry entry;                 // without its digests, which the thread adds
+  std::vector<std::size_t> places;  // positions of the topics in entry.record
   bool begins_file = false;
-  std::vector<std::byte> state;  // of the engine before it; empty: none
+  std::vector<std::byte> state;  // of the engine before the frame; empty: not recorded
   std::array<bool, 2> is_viewed{};
-  std::array<Image, 2> images;   // where entry.image_is_exact or is_viewed
+  std::array<Image, 2> images;   // valid if entry.image_is_exact or is_viewed
   std::vector<std::byte> extra;  // write_record() of kViewedTopics
 
   bool has_pixels(std::size_t camera) const { return entry.image_is_exact[camera] || is_viewed[camera]; }
@@ -73,16 +73,16 @@ struct Recorder::Shared {
         file(std::make_unique<RecordingFile>(options.file, options.about, topics)),
         viewer(options.jpeg_quality) {}
 
-  // The thread's.
+  // Used by the thread only.
   const std::filesystem::path first_file;
   const mcap::Texts about;
   const std::vector<ViewTopic> topics = view_topics();
   std::unique_ptr<RecordingFile> file;
-  std::uint64_t earlier_bytes = 0, earlier_frames = 0;  // of the files before
+  std::uint64_t earlier_bytes = 0, earlier_frames = 0;  // of earlier files
   ViewerMessages viewer;
   std::vector<ViewMessage> views;
 
-  std::mutex mutex;  // of all below
+  std::mutex mutex;  // protects all members below
   std::condition_variable wake, over;
   std::deque<std::unique_ptr<Item>> queue;
   std::vector<std::unique_ptr<Item>> free;
@@ -90,13 +90,13 @@ struct Recorder::Shared {
   bool ends = false;
   bool is_over = false;          // the thread has ended
   std::uint64_t file_bytes = 0;  // of the file numbered counts.files, so far
-  std::string trouble;           // why nothing is recorded any more
+  std::string trouble;           // why the recording ended
   Counts counts;
 };
 
 Recorder::Recorder(RecorderOptions options, std::function<void(const std::string&)> tell)
     : options_(std::move(options)),
-      tell_(std::move(tell)),
+      report_(std::move(tell)),
       shared_(std::make_shared<Shared>(options_)),
       thread_([shared = shared_] { write_items(*shared); }) {}
 
@@ -117,10 +117,10 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
     if (shared_->counts.files == files_begun_) file_bytes = shared_->file_bytes;
   }
   wanted_ = {};
-  if (!item_) return tell_trouble();
+  if (!item_) return report_trouble();
   Item& item = *item_;
   const double now = engine.record().world.time;
-  // A slow disk gets no images to look at, then no images, before it gets nothing at all.
+  // If the disk is slow, first the images for viewers are omitted, then the exact images, before the recording ends.
   const bool is_slow = waiting > options_.most_waiting / 2;
   const bool has_views = options_.jpeg_quality > 0 && waiting <= options_.most_waiting / 4;
   const std::uint64_t frame = engine.record().world.frame;
@@ -134,7 +134,7 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
     if (item.has_pixels(camera)) {
       copy_pixels(seen->image, item.images[camera]);
     } else {
-      item.images[camera] = Image();  // what no bytes() counts takes no memory
+      item.images[camera] = Image();  // memory that bytes() does not count must be freed
     }
   }
   item.entry.inputs.clear();
@@ -183,14 +183,14 @@ void Recorder::observe(const FrameRecord& frame, const SceneTruth& scene) {
   entry.record.clear();
   write_record(frame, entry.record, digested_topics(), &item_->places);
   item_->extra.clear();
-  write_record(frame, item_->extra, wanted_);  // of another observer's there may be more
+  write_record(frame, item_->extra, wanted_);  // other observers may need more topics
   entry.scene = scene;
   const std::size_t bytes = item_->bytes();
   bool is_slow = false, lacks_views = false;
   {
     const std::lock_guard lock(shared_->mutex);
     if (shared_->waiting + bytes > options_.most_waiting) {
-      shared_->trouble = "the recording ends here: the disk is too slow for it";
+      shared_->trouble = "the recording ends here: the disk is too slow";
       shared_->wake.notify_one();
       return;
     }
@@ -200,24 +200,24 @@ void Recorder::observe(const FrameRecord& frame, const SceneTruth& scene) {
     shared_->queue.push_back(std::move(item_));
   }
   shared_->wake.notify_one();
-  if (lacks_views && !std::exchange(told_no_views_, true))
-    tell_("disk or processor are too slow for the recording: images to look at are left out of it");
-  if (is_slow && !std::exchange(told_slow_, true))
-    tell_(
-        "disk or processor are too slow for the recording: images are missing from it, and later frames cannot be "
+  if (lacks_views && !std::exchange(reported_missing_views_, true))
+    report_("the disk or the processor is too slow for the recording: it lacks images for viewers");
+  if (is_slow && !std::exchange(reported_slow_, true))
+    report_(
+        "the disk or the processor is too slow for the recording: it lacks exact images, so later frames cannot be "
         "replayed exactly");
 }
 
-void Recorder::tell_trouble() {
-  if (told_) return;
+void Recorder::report_trouble() {
+  if (has_reported_) return;
   std::string trouble;
   {
     const std::lock_guard lock(shared_->mutex);
     trouble = shared_->trouble;
   }
   if (trouble.empty()) return;
-  told_ = true;
-  tell_(trouble);
+  has_reported_ = true;
+  report_(trouble);
 }
 
 void Recorder::end() {
@@ -230,14 +230,14 @@ void Recorder::end() {
     is_over = shared_->over.wait_for(lock, std::chrono::duration<double>(options_.patience),
                                      [this] { return shared_->is_over; });
     if (!is_over && shared_->trouble.empty())
-      shared_->trouble = "the recording lacks its end: the disk does not take it";
+      shared_->trouble = "the recording lacks its end: the disk does not respond";
   }
   if (is_over) {
     thread_.join();
   } else {
     thread_.detach();
   }
-  tell_trouble();
+  report_trouble();
 }
 
 Recorder::Counts Recorder::counts() const {
@@ -245,13 +245,13 @@ Recorder::Counts Recorder::counts() const {
   return shared_->counts;
 }
 
-/// The thread. It writes all queued data, also after an error of the frames.
+/// Runs in the thread. It writes all queued data, also after an error in a frame.
 void Recorder::write_items(Shared& shared) {
-  // Woken up while a frame still runs, it takes no processor away from it: it waits until there is one.
+  // SCHED_BATCH: waking up this thread does not preempt a running frame.
   const sched_param none{};
   pthread_setschedparam(pthread_self(), SCHED_BATCH, &none);
   int files = 1;
-  bool is_given_up = false;  // the last of them
+  bool is_given_up = false;  // the last file was removed
   const auto write = [&](Item& item) {
     if (item.begins_file) {
       std::filesystem::path name = shared.first_file;
@@ -307,7 +307,7 @@ void Recorder::write_items(Shared& shared) {
     count();
     if (item) {
       shared.waiting -= item->bytes();
-      constexpr std::size_t kMostFree = 8;  // those of a jam that is over
+      constexpr std::size_t kMostFree = 8;  // do not keep the memory of a backlog that is over
       if (shared.free.size() < kMostFree) shared.free.push_back(std::move(item));
     }
     if (trouble.empty()) continue;
@@ -319,10 +319,10 @@ void Recorder::write_items(Shared& shared) {
   std::string trouble;
   try {
     shared.file->finish();
-  } catch (const std::exception& error) {  // what is there can be read all the same
+  } catch (const std::exception& error) {  // the data before it is readable
     trouble = error.what();
   }
-  if (files > 1 && shared.file->frames() == 0) {  // a further part of which nothing could be written
+  if (files > 1 && shared.file->frames() == 0) {  // an additional file without any frame
     std::error_code failed;
     is_given_up = std::filesystem::remove(shared.file->path(), failed);
     files -= is_given_up ? 1 : 0;

@@ -16,15 +16,15 @@ namespace {
 std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic, const std::string& file) {
   if (const mcap::Channel* const channel = contents.channel(topic)) return channel->id;
   if (contents.damage)
-    throw std::runtime_error(
-        file + ": the file is damaged, and no frames of reorient are found in it: " + contents.damage->what());
+    throw std::runtime_error(file +
+                             ": the file is damaged and contains no frames of reorient: " + contents.damage->what());
   throw std::runtime_error(file +
                            ": expected a recording of 'reorient run --record FILE', found no frames of reorient");
 }
 
 std::vector<std::byte> copy_of(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
 
-/// Our bytes in a message of a topic of our own.
+/// The content of a message of our own topics.
 std::span<const std::byte> own_bytes(const mcap::Message& message) {
   ByteReader in(message.data);
   std::uint32_t length = 0;
@@ -55,15 +55,15 @@ Recording::Recording(std::unique_ptr<mcap::Source> source, std::string name)
   find_view_topics();
 }
 
-/// Every writer of ours has told it: where it is missing, what told it is damaged, and each frame tells by itself what
-/// its bytes mean.
+/// All our recordings contain the format. If it is missing, that part of the file is damaged; each frame has its own
+/// magic number.
 void Recording::read_format() {
   const auto found = about_.find(std::string(kFormat));
-  const std::string told = found == about_.end() ? "" : found->second;
-  const auto [end, error] = std::from_chars(told.data(), told.data() + told.size(), format_);
-  if (error == std::errc() && end == told.data() + told.size()) return;
+  const std::string format = found == about_.end() ? "" : found->second;
+  const auto [end, error] = std::from_chars(format.data(), format.data() + format.size(), format_);
+  if (error == std::errc() && end == format.data() + format.size()) return;
   format_ = kRecordingFormat;
-  damages_.emplace_back("at its beginning: the information on its format");
+  damages_.emplace_back("at the beginning: the format is missing");
 }
 
 double Recording::begin_time() const {
@@ -96,11 +96,10 @@ void Recording::find_view_topics() {
 void Recording::require_this_format() const {
   if (format_ == kRecordingFormat) return;
   const auto version = about_.find("version");
-  throw std::runtime_error(
-      name_ + ": the recording has format " + std::to_string(format_) + ", written by reorient " +
-      (version == about_.end() ? "of an unknown version" : version->second) + ", and this program replays format " +
-      std::to_string(kRecordingFormat) +
-      "; replay it with that version; viewers and 'reorient recording info' can read it unchanged");
+  throw std::runtime_error(name_ + ": expected format " + std::to_string(kRecordingFormat) + ", found format " +
+                           std::to_string(format_) + " of reorient " +
+                           (version == about_.end() ? "of an unknown version" : version->second) +
+                           " (replay it with that version; viewers and 'reorient recording info' can read it)");
 }
 
 void Recording::count_messages() {
@@ -109,7 +108,7 @@ void Recording::count_messages() {
   }
 }
 
-/// The frame that was begun is lost, and the one before it unknown.
+/// Drops the incomplete frame. The frame before the next one is unknown then.
 void Recording::drop_pending() {
   pending_ = {};
   has_pending_ = {};
@@ -141,7 +140,7 @@ bool Recording::next_message(mcap::Message& message) {
         is_cut_ = true;
       }
       messages_.emplace(*source_, chunk);
-    } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost, and what belonged to its last frame
+    } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost, with its incomplete frame
       damages_.emplace_back(damage.what());
       messages_.reset();
       drop_pending();
@@ -173,7 +172,7 @@ bool Recording::next(RecordedFrame& frame) {
     }
     read_frame_entry(own_bytes(message), pending_.entry);
     const bool is_whole = pending_.entry.image_is_exact == has_pending_;
-    if (!is_whole && std::exchange(is_cut_, false)) {  // its images lay in the chunk that is lost
+    if (!is_whole && std::exchange(is_cut_, false)) {  // its images were in the lost chunk
       drop_pending();
       continue;
     }
@@ -190,7 +189,7 @@ bool Recording::next(RecordedFrame& frame) {
   return false;
 }
 
-/// Backwards from the first chunk that reaches so far, since states are rare.
+/// Searches backward from the first chunk after the time, because states are rare.
 bool Recording::go_to(double time) {
   require_this_format();
   const auto& chunks = contents_.chunks;
@@ -218,7 +217,7 @@ bool Recording::go_to(double time) {
   for (std::size_t i = begin; !found && i < chunks.size(); ++i) look(i);
   if (!found) return false;
   go_to_chunk(*found);
-  // Up to that state: what its chunk holds before it belongs to earlier frames.
+  // Skip what the chunk contains before that state, because it belongs to earlier frames.
   for (mcap::Message message; next_message(message);) {
     if (message.channel == states_ && message.time == found_time) {
       pending_.state = copy_of(own_bytes(message));

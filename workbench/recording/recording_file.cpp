@@ -20,10 +20,10 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes; a larger message has a chunk of its own
+constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes; a larger message has its own chunk
 
 std::runtime_error failure(const std::filesystem::path& file, int error) {
-  return std::runtime_error(file.string() + ": it cannot be written: " + std::strerror(error));
+  return std::runtime_error(file.string() + ": the file cannot be written: " + std::strerror(error));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Text
 
 RecordingFile::~RecordingFile() { close(descriptor_); }
 
-/// All of it or nothing: half a record would hide what comes after it.
+/// Writes all of the bytes or none, because a partial record would make later ones unreadable.
 void RecordingFile::write(std::span<const std::byte> bytes) {
   is_dirty_ = true;
   if (!write_all(descriptor_, bytes)) {
@@ -69,11 +69,11 @@ void RecordingFile::write(std::span<const std::byte> bytes) {
 }
 
 void RecordingFile::cut_to(off_t size) {
-  if (ftruncate(descriptor_, size) == 0) lseek(descriptor_, size, SEEK_SET);  // what else could be done about it?
+  if (ftruncate(descriptor_, size) == 0) lseek(descriptor_, size, SEEK_SET);  // a failure here cannot be handled
   size_ = size;
 }
 
-/// So that an empty battery takes no more than the last half second.
+/// Flushes, so that a power failure loses at most the last half second.
 void RecordingFile::flush() {
   if (is_dirty_ && fdatasync(descriptor_) != 0 && errno != EINVAL) throw failure(file_, errno);  // EINVAL: a pipe
   is_dirty_ = false;
@@ -95,7 +95,7 @@ void RecordingFile::add(const FrameEntry& entry, std::span<const std::byte> stat
     add_own_message(images_[camera], time);
   }
   for (const ViewMessage& view : views) add_message(channel_of(view.topic), view.time, view.data);
-  // The frame comes last: what stands before it belongs to it.
+  // The frame comes last, after the messages that belong to it.
   begin_own();
   write_frame_entry(entry, own_);
   add_own_message(frames_, time);
@@ -108,7 +108,7 @@ void RecordingFile::add_own_message(std::uint16_t channel, std::uint64_t time) {
   add_message(channel, time, own_);
 }
 
-/// Viewers list all topics of a file, so a topic is written only with its first message.
+/// Writes a topic only with its first message, because viewers list all topics of a file.
 std::uint16_t RecordingFile::channel_of(std::size_t view) {
   View& wanted = views_.at(view);
   if (wanted.channel) return *wanted.channel;
@@ -138,8 +138,8 @@ void RecordingFile::keep_up() {
   flush();
 }
 
-/// A full disk has no room for the last chunk, nor always for the summary of the others: then it takes the room of
-/// some.
+/// A full disk has no space for the last chunk, and sometimes not for the summary of the others. Then the summary
+/// replaces some chunks.
 void RecordingFile::finish() {
   if (is_finished_) return;
   std::exception_ptr failed;

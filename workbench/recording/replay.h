@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of a recording, made again: each stretch of them by an engine of its own.
+// Runs the frames of a recording again, each section of them with its own engine.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace reorient {
 
-/// What is added to the next frame that was recorded, and to no other.
+/// Inputs that are added to the next recorded frame only.
 class AddedInputs : public InputSource {
  public:
-  /// Of its messages, scripts and parameters; beside what was to be added already.
+  /// Adds messages, edits of scripts and changes of parameters to those that were added before.
   void add(const FrameInputs& more);
   void add_to(FrameInputs& inputs) override;
 
@@ -28,18 +28,18 @@ class AddedInputs : public InputSource {
 
 class Replay {
  public:
-  /// `from`, `to`: s of the robot; from the last state before the one, up to the first frame that is not before the
-  /// other. The recording must outlive it.
+  /// `from`, `to`: s of the robot. Replays from the last state before `from` up to the first frame that is not before
+  /// `to`. The recording must outlive it.
   explicit Replay(Recording& recording, double from = 0.0, double to = std::numeric_limits<double>::infinity());
 
   Playback& playback() { return *playback_; }
   const Playback& playback() const { return *playback_; }
 
-  /// The engine at the beginning of the next stretch; nullptr: no stretch is left.
+  /// The engine at the beginning of the next section; nullptr: no section is left.
   FrameLoop* next_stretch();
-  /// To play it frame by frame. `sources`: add to what was recorded.
+  /// Plays the section frame by frame. `sources` add to the recorded inputs.
   RunParts parts(const std::vector<InputSource*>& sources, std::vector<Observer*> observers);
-  /// Plays it to its end, or until `stop`.
+  /// Plays the section to its end, or until `stop` returns true.
   void run(const std::vector<InputSource*>& sources, std::vector<Observer*> observers,
            const std::function<bool()>& stop = {});
 

@@ -41,10 +41,11 @@ class Copy {
   FileInTheMaking beside_;
   std::optional<RecordingFile> file_;
   Rewritten done_;
-  std::uint64_t last_ = 0;  // frame
+  std::uint64_t last_ = 0;  // number of the last frame
 };
 
-/// Stops at the first frame from a time on, with the state of the engine before it, and what lasts to be looked at.
+/// Stops at the first frame at or after a time, and stores the state of the engine before it and the last lasting
+/// messages for viewers.
 struct Beginning : Observer {
   Beginning(const Playback& source, const std::vector<ViewTopic>& view_topics, double begin)
       : playback(source), topics(view_topics), from(begin) {}
@@ -105,7 +106,8 @@ Rewritten cut_recording(Recording& recording, double from, double to, const std:
   if (views == Views::kept) recording.read_views();
   std::optional<RecordedFrame> first = beginning_of(recording, from);
   if (!first || first->entry.time > to)
-    throw std::runtime_error("no frame between these times can be replayed; 'reorient recording info' lists which can");
+    throw std::runtime_error(
+        "no frame between these times can be replayed ('reorient recording info' lists those that can)");
   Copy copy(recording, file);
   copy.add(*first);
   RecordedFrame frame = std::move(*first);

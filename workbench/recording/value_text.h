@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and values of the world in words.
+// Numbers and world fields as text.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// As short as it can be without being another number.
+/// The shortest text that represents exactly this number.
 std::string exact_text(double number);
 
 /// "true", "upright", "0.25".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of MCAP: what is written is read, and damage is reported with its position.
+// MCAP files: the written data is read again, and damage is reported with its position.
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -31,7 +31,7 @@ struct Written {
   bool operator==(const Written&) const = default;
 };
 
-/// Some chunks of some messages, and an attachment between them.
+/// A file with several chunks of messages and an attachment between them.
 class McapFile : public testing::Test {
  protected:
   McapFile() {
@@ -57,7 +57,7 @@ class McapFile : public testing::Test {
     writer.finish();
   }
 
-  /// All that can be read, chunk by chunk; `damages`: what could not.
+  /// All readable messages, chunk by chunk. `damages`: number of damages.
   static std::vector<Written> read(const Source& source, const Contents& contents, int& damages) {
     std::vector<Written> all;
     for (const ChunkPlace& place : contents.chunks) {
@@ -79,7 +79,7 @@ class McapFile : public testing::Test {
   std::vector<std::size_t> chunk_ends_;
 };
 
-TEST_F(McapFile, IsReadAsItWasWritten) {
+TEST_F(McapFile, IsReadAsWritten) {
   const MemorySource source(file_);
   const Contents contents = read_contents(source);
   EXPECT_TRUE(contents.is_complete);
@@ -101,7 +101,7 @@ TEST_F(McapFile, IsReadAsItWasWritten) {
   EXPECT_EQ(damages, 0);
 }
 
-TEST_F(McapFile, IsBelievedAtItsEndWhereItsBeginningIsDamaged) {
+TEST_F(McapFile, UsesTheSummaryIfItsBeginningIsDamaged) {
   const std::size_t first_chunk = read_contents(MemorySource(file_)).chunks.at(0).where;
   for (std::size_t place = 8; place < first_chunk; ++place) {
     Bytes damaged = file_;
@@ -121,7 +121,7 @@ TEST_F(McapFile, IsBelievedAtItsEndWhereItsBeginningIsDamaged) {
   }
 }
 
-TEST_F(McapFile, ThatWasCutAnywhereGivesAllWholeChunksAndReportsItsEnd) {
+TEST_F(McapFile, ThatWasTruncatedGivesAllCompleteChunksAndReportsItsEnd) {
   for (std::size_t size = 0; size < file_.size(); size += 1 + size / 97) {
     const MemorySource source(std::span<const std::byte>(file_).first(size));
     if (size < 8) {
@@ -163,7 +163,7 @@ TEST_F(McapFile, WithAChangedByteGivesNoMessageThatWasNotWritten) {
 TEST_F(McapFile, WithADamagedHeadLosesWhatThatHeadDescribes) {
   const MemorySource whole(file_);
   for (const ChunkPlace& lost : read_contents(whole).chunks) {
-    // Its kind, its length, what it says of its messages; and the end of the record before it, too.
+    // The opcode, the length and the description of the messages, and the end of the previous record.
     for (const std::ptrdiff_t from : {-8, 0, 1, 25}) {
       Bytes damaged = file_;
       const auto place = static_cast<std::ptrdiff_t>(lost.where) + from;
@@ -180,7 +180,7 @@ TEST_F(McapFile, WithADamagedHeadLosesWhatThatHeadDescribes) {
   }
 }
 
-TEST_F(McapFile, ThatClaimsMoreThanItHoldsIsRefusedWithoutMemory) {
+TEST_F(McapFile, WithATooLargeLengthIsRejectedWithoutAllocatingMemory) {
   for (const std::uint64_t length : {std::uint64_t{1} << 60, ~std::uint64_t{0}, std::uint64_t{1} << 31}) {
     Bytes hostile(file_.begin(), file_.begin() + 8);
     ByteWriter{hostile}(Opcode::header, length);
@@ -191,7 +191,7 @@ TEST_F(McapFile, ThatClaimsMoreThanItHoldsIsRefusedWithoutMemory) {
   }
 }
 
-TEST_F(McapFile, WithAChunkThatSwellsIsRefused) {
+TEST_F(McapFile, WithAChunkLargerThanStatedIsRejected) {
   Bytes hostile(file_.begin(), file_.begin() + 8);
   ByteWriter out(hostile);
   const std::string none;
@@ -206,7 +206,7 @@ TEST_F(McapFile, WithAChunkThatSwellsIsRefused) {
   EXPECT_TRUE(contents.chunks.empty());
 }
 
-TEST(McapWriter, LetsThroughWhatItsSinkThrows) {
+TEST(McapWriter, PassesExceptionsOfItsSinkOn) {
   int calls = 0;
   Writer writer(
       [&](std::span<const std::byte>) {
@@ -223,9 +223,9 @@ TEST(McapWriter, LetsThroughWhatItsSinkThrows) {
       std::runtime_error);
 }
 
-/// Whatever room there is: where the chunks take more of it than the summary, the file is whole, and begins with what
-/// it was told first.
-TEST(McapWriter, TakesTheRoomOfChunksForTheSummaryWhereThereIsNoOther) {
+/// For any available space: if the chunks are larger than the summary, the file is complete and begins with the first
+/// messages.
+TEST(McapWriter, ReplacesChunksByTheSummaryIfTheSpaceIsNotEnough) {
   constexpr std::size_t kChunks = 60;
   int whole = 0, made_room = 0;
   for (std::size_t most = 500; most < 30000; most += 37) {
@@ -275,7 +275,7 @@ TEST(McapWriter, TakesTheRoomOfChunksForTheSummaryWhereThereIsNoOther) {
   EXPECT_GT(made_room, 50);
 }
 
-TEST(McapReader, ListsATopicThatIsNamedTwiceOnceAndRefusesTensOfThousands) {
+TEST(McapReader, ListsARepeatedTopicOnceAndRejectsTensOfThousands) {
   std::vector<std::byte> bytes;
   mcap::Writer writer([&](std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); },
                       "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MCAP files as other programs write them: the container.
+// The container of MCAP files of other programs.
 #include "workbench/recording/mcap/ordered_messages.h"
 
 #include <string>
@@ -31,7 +31,7 @@ std::vector<Found> read_all(const Bytes& file, std::set<std::uint16_t> channels,
   OrderedMessages messages(source, places, std::move(channels), memory);
   std::vector<Found> all;
   for (Message message; messages.next(message);) {
-    EXPECT_EQ(message.data.size(), message.time % 100) << "the data belong to the message";
+    EXPECT_EQ(message.data.size(), message.time % 100) << "the data must belong to the message";
     all.push_back({message.channel, message.time});
   }
   if (found_contents != nullptr) *found_contents = contents;
@@ -65,7 +65,7 @@ TEST(OrderedMessages, ComeFromOutsideOfChunks) {
   file.schema(1, "Thing");
   file.channel(7, 1, "/things");
   for (const std::uint64_t time : {103u, 101u, 102u}) add(file, 7, time);
-  file.record(static_cast<Opcode>(0x77), Bytes(5));  // unknown to us
+  file.record(static_cast<Opcode>(0x77), Bytes(5));  // an unknown record
   add(file, 7, 104);
   file.end();
   Contents contents;
@@ -95,7 +95,7 @@ TEST(OrderedMessages, AreInTheOrderOfTimeAcrossChunks) {
   }
 }
 
-TEST(OrderedMessages, OfChunksThatOverlapMuchAreRefused) {
+TEST(OrderedMessages, OfChunksThatOverlapMuchAreRejected) {
   RawMcap file;
   file.magic();
   file.header();
@@ -121,7 +121,7 @@ TEST(OrderedMessages, OfChunksThatOverlapMuchAreRefused) {
   }
 }
 
-TEST(OrderedMessages, OfOneTimeOpenOneChunkAfterTheOther) {
+TEST(OrderedMessages, WithTheSameTimeOpenOneChunkAfterAnother) {
   RawMcap file;
   file.magic();
   file.header();
@@ -153,7 +153,7 @@ TEST(TopicsInChunks, AreFoundWithoutASummary) {
   }
 }
 
-TEST(Lz4Chunks, ThatAreDamagedOrSwellAreRefused) {
+TEST(Lz4Chunks, ThatAreDamagedOrLargerThanStatedAreRejected) {
   RawMcap file, chunk;
   for (std::uint64_t time = 0; time < 3000; ++time) add(chunk, 1, time);
   file.magic();
@@ -168,7 +168,7 @@ TEST(Lz4Chunks, ThatAreDamagedOrSwellAreRefused) {
       ChunkMessages messages(source, read_contents(source).chunks.at(0));
       for (Message message; messages.next(message);) {
       }
-    } catch (const Damage&) {  // or other messages: these chunks have no checksum
+    } catch (const Damage&) {  // other messages are possible, too, because these chunks have no checksum
     }
   }
   Bytes claims_less = file.bytes();

@@ -59,7 +59,7 @@ class RawMcap {
     last_ = std::max(last_, time);
   }
 
-  /// All that was written to `records`, as a chunk. `compression`: "", "lz4" or "zstd".
+  /// Writes `records` as a chunk. `compression`: "", "lz4" or "zstd".
   void chunk(const RawMcap& records, const std::string& compression) {
     const Bytes packed = compressed(records.bytes_, compression);
     Bytes content;
@@ -70,7 +70,7 @@ class RawMcap {
     record(Opcode::chunk, content);
   }
 
-  /// Without a summary.
+  /// Ends the file without a summary.
   void end() {
     Bytes content;
     ByteWriter{content}(std::uint32_t{0});

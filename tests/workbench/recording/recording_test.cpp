@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that is recorded is made again, bit by bit, from its file alone.
+// A recorded run is replayed bit by bit from its file only.
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -48,10 +48,10 @@ class RecordedRun : public testing::Test {
     return options;
   }
 
-  /// The run's digest; with a recorder where there are options.
+  /// The digests of the run. With options, the run is recorded.
   std::string record(const std::optional<RecorderOptions>& options) {
     std::optional<Recorder> recorder;
-    if (options) recorder.emplace(*options, [this](const std::string& line) { told_.push_back(line); });
+    if (options) recorder.emplace(*options, [this](const std::string& line) { reports_.push_back(line); });
     FrameLoop engine(eventful_setup());
     RecordDigest digest;
     SceneTruth scene;
@@ -65,10 +65,10 @@ class RecordedRun : public testing::Test {
       scene.truth = GroundTruth{Pose2(0.001 * static_cast<double>(frame.world.frame), 0.0, 0.0), false, false};
       if (recorder) {
         recorder->observe(frame, scene);
-        // Frames come as fast as they can, which no robot's do: the recorder's thread may be starved.
+        // Frames come faster than on a robot, so the thread of the recorder may be delayed.
         constexpr std::uint64_t kMostBehind = 60;
         ++given;
-        await([&] { return !told_.empty() || recorder->counts().frames + kMostBehind >= given; });
+        await([&] { return !reports_.empty() || recorder->counts().frames + kMostBehind >= given; });
       }
       digest.add(frame);
     }
@@ -84,16 +84,16 @@ class RecordedRun : public testing::Test {
   std::filesystem::path file() const { return folder_.path() / "run.mcap"; }
 
   TemporaryFolder folder_;
-  std::vector<std::string> told_;
+  std::vector<std::string> reports_;
   Recorder::Counts counts_;
 };
 
-TEST_F(RecordedRun, IsTheSameAsOneThatIsNotAndIsMadeAgainFrameByFrame) {
+TEST_F(RecordedRun, EqualsAnUnrecordedRunAndIsReplayedFrameByFrame) {
   const std::string digest = record(std::nullopt);
   EXPECT_EQ(record(options()), digest);
   EXPECT_EQ(counts_.frames, static_cast<std::uint64_t>(kFrames));
   EXPECT_EQ(counts_.images_left_out, 0u);
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(reports_.empty());
   const Replayed again = replayed();
   EXPECT_EQ(again.frames, static_cast<std::uint64_t>(kFrames));
   EXPECT_EQ(again.different, 0u);
@@ -101,10 +101,10 @@ TEST_F(RecordedRun, IsTheSameAsOneThatIsNotAndIsMadeAgainFrameByFrame) {
   EXPECT_EQ(again.digest, digest);
 }
 
-/// A few frames fill no chunk. They reach the file all the same, while the recorder waits for the next one.
-TEST_F(RecordedRun, IsInItsFileThoughNoFrameFollows) {
+/// A few frames do not fill a chunk. They still reach the file, while the recorder waits for the next frame.
+TEST_F(RecordedRun, IsInItsFileIfNoFrameFollows) {
   constexpr std::size_t kFew = 5;
-  Recorder recorder(options(), [this](const std::string& line) { told_.push_back(line); });
+  Recorder recorder(options(), [this](const std::string& line) { reports_.push_back(line); });
   FrameLoop engine(eventful_setup());
   for (std::size_t i = 0; i < kFew; ++i) {
     const StoredInputs stored(run().at(i));
@@ -116,15 +116,15 @@ TEST_F(RecordedRun, IsInItsFileThoughNoFrameFollows) {
     try {
       Recording recording(file());
       for (RecordedFrame frame; recording.next(frame);) ++frames;
-    } catch (const std::runtime_error&) {  // its head is not written yet
+    } catch (const std::runtime_error&) {  // the head of the file is not written yet
     }
     return frames;
   };
   EXPECT_TRUE(await([&] { return frames_in_file() == kFew; })) << frames_in_file();
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(reports_.empty());
 }
 
-TEST_F(RecordedRun, BeginsAtAnyStateThatIsInIt) {
+TEST_F(RecordedRun, CanBeReplayedFromAnyOfItsStates) {
   record(options());
   for (const double from : {0.0, 4.9, 5.1, 9.0, 11.0, 1e9}) {
     const Replayed again = replayed(from);
@@ -134,7 +134,7 @@ TEST_F(RecordedRun, BeginsAtAnyStateThatIsInIt) {
   }
 }
 
-TEST_F(RecordedRun, ThatWasCutIsMadeAgainUpToThere) {
+TEST_F(RecordedRun, ThatWasTruncatedIsReplayedUpToItsEnd) {
   record(options());
   const auto size = static_cast<double>(std::filesystem::file_size(file()));
   std::uint64_t before = 1000;
@@ -154,7 +154,7 @@ TEST_F(RecordedRun, ContinuesAtTheNextStateAfterDamage) {
   {
     const mcap::FileSource source(file());
     const std::vector<mcap::ChunkPlace> chunks = mcap::read_contents(source).chunks;
-    // States are at 5 and 10 s. Chunks end as time goes by: one that ends at a state leaves nothing to pass over.
+    // States are at 5 and 10 s. The ends of chunks depend on time: if a chunk ends at a state, no frame is skipped.
     constexpr std::uint64_t kBetween = 7'500'000'000;
     const auto chunk = std::find_if(chunks.rbegin(), chunks.rend(),
                                     [](const mcap::ChunkPlace& place) { return place.end_time < kBetween; });
@@ -172,7 +172,7 @@ TEST_F(RecordedRun, ContinuesAtTheNextStateAfterDamage) {
 }
 
 TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
-  // A frame may lie in two chunks, of which one is lost. Where an index is damaged, nothing is.
+  // A frame may be split between two chunks, one of which is lost. A damaged index loses no frame.
   record(options());
   const std::string whole = read_whole_file(file()).value();
   Random random(5);
@@ -195,8 +195,8 @@ TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
   EXPECT_GT(lossy, 30);
 }
 
-/// Of a flash's erased block not even the head of a chunk is left.
-TEST_F(RecordedRun, IsReadOnBehindEachChunkThatIsLostWithItsHead) {
+/// An erased block of a flash memory destroys even the head of a chunk.
+TEST_F(RecordedRun, IsReadAfterEachChunkThatIsLostWithItsHead) {
   record(options());
   const std::string whole = read_whole_file(file()).value();
   std::vector<std::size_t> heads;
@@ -233,7 +233,7 @@ TEST_F(RecordedRun, IsReadOnBehindEachChunkThatIsLostWithItsHead) {
   for (std::size_t i = 0; i + 2 < heads.size(); i += 2) read_without(i, i + 2);
 }
 
-TEST_F(RecordedRun, ThatIsRotatedIsManyRecordingsOfWhichEachIsMadeAgain) {
+TEST_F(RecordedRun, WithRotationIsManyRecordingsThatCanAllBeReplayed) {
   RecorderOptions rotated = options();
   rotated.rotate_seconds = 6.0;
   record(rotated);
@@ -248,12 +248,12 @@ TEST_F(RecordedRun, ThatIsRotatedIsManyRecordingsOfWhichEachIsMadeAgain) {
   }
   EXPECT_EQ(frames, static_cast<std::uint64_t>(kFrames));
   rotated.rotate_seconds = 0.0;
-  rotated.rotate_bytes = 1;  // each time that anything has reached the disk
+  rotated.rotate_bytes = 1;  // a new file after each write to the disk
   record(rotated);
   EXPECT_GT(counts_.files, 1);
 }
 
-TEST_F(RecordedRun, WithoutImagesCannotBeMadeAgainButRead) {
+TEST_F(RecordedRun, WithoutImagesCanBeReadButNotReplayed) {
   RecorderOptions without = options();
   without.images_every = 0;
   record(without);
@@ -297,25 +297,25 @@ TEST_F(RecordedRun, ContinuesWithoutARecordingOnAFullDisk) {
   RecorderOptions slow = options();
   slow.most_waiting = 4u << 20;
   std::optional<Recorder> recorder;
-  recorder.emplace(slow, [this](const std::string& line) { told_.push_back(line); });
+  recorder.emplace(slow, [this](const std::string& line) { reports_.push_back(line); });
   FrameLoop engine(eventful_setup());
-  for (const Bytes& bytes : run()) {  // without an end, if a frame waited for the disk
+  for (const Bytes& bytes : run()) {  // would not end if a frame waited for the disk
     const StoredInputs stored(bytes);
     recorder->before(stored.inputs(), engine);
     recorder->observe(engine.step(stored.inputs()), {});
   }
-  // First what is only to be looked at, then what decides, then all.
-  ASSERT_EQ(told_.size(), 3u);
-  EXPECT_NE(told_[0].find("images to look at are left out"), std::string::npos) << told_[0];
-  EXPECT_NE(told_[1].find("cannot be replayed exactly"), std::string::npos) << told_[1];
-  EXPECT_NE(told_[2].find("the recording ends here: the disk is too slow"), std::string::npos) << told_[2];
+  // First the images for viewers are omitted, then the exact images, then everything.
+  ASSERT_EQ(reports_.size(), 3u);
+  EXPECT_NE(reports_[0].find("it lacks images for viewers"), std::string::npos) << reports_[0];
+  EXPECT_NE(reports_[1].find("cannot be replayed exactly"), std::string::npos) << reports_[1];
+  EXPECT_NE(reports_[2].find("the recording ends here: the disk is too slow"), std::string::npos) << reports_[2];
   EXPECT_GT(recorder->counts().images_left_out, 0u);
   EXPECT_GT(recorder->counts().views_left_out, recorder->counts().images_left_out);
-  close(reader);  // now it fails, and the thread ends
+  close(reader);  // now writing fails, and the thread ends
   recorder.reset();
 }
 
-TEST_F(RecordedRun, OnADiskThatHangsEndsTheFileThoughItsRecorderIsGone) {
+TEST_F(RecordedRun, OnADiskThatHangsEndsTheFileAfterItsRecorderIsDestroyed) {
   std::signal(SIGPIPE, SIG_IGN);
   ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
   const int reader = open(file().c_str(), O_RDONLY | O_NONBLOCK);
@@ -324,17 +324,17 @@ TEST_F(RecordedRun, OnADiskThatHangsEndsTheFileThoughItsRecorderIsGone) {
     RecorderOptions hasty = options();
     hasty.patience = 0.05;
     FrameLoop engine(eventful_setup());
-    Recorder recorder(hasty, [this](const std::string& line) { told_.push_back(line); });
+    Recorder recorder(hasty, [this](const std::string& line) { reports_.push_back(line); });
     for (const Bytes& bytes : run()) {
       const StoredInputs stored(bytes);
       recorder.before(stored.inputs(), engine);
       recorder.observe(engine.step(stored.inputs()), {});
     }
   }
-  ASSERT_FALSE(told_.empty());
-  EXPECT_NE(told_.back().find("the recording lacks its end"), std::string::npos) << told_.back();
-  const std::size_t lines = told_.size();
-  // Now the disk answers.
+  ASSERT_FALSE(reports_.empty());
+  EXPECT_NE(reports_.back().find("the recording lacks its end"), std::string::npos) << reports_.back();
+  const std::size_t lines = reports_.size();
+  // Now the disk responds.
   std::string taken;
   ASSERT_EQ(fcntl(reader, F_SETFL, 0), 0);
   std::array<char, 1 << 16> piece{};
@@ -342,17 +342,17 @@ TEST_F(RecordedRun, OnADiskThatHangsEndsTheFileThoughItsRecorderIsGone) {
     taken.append(piece.data(), static_cast<std::size_t>(got));
   close(reader);
   EXPECT_TRUE(taken.ends_with("MCAP0\r\n")) << taken.size() << " bytes";
-  EXPECT_EQ(told_.size(), lines);
+  EXPECT_EQ(reports_.size(), lines);
 }
 
 TEST_F(RecordedRun, OnAFullDiskEndsWithOneLine) {
   RecorderOptions full = options();
   full.file = "/dev/full";
-  if (!std::filesystem::exists(full.file)) GTEST_SKIP() << "there is no /dev/full here";
+  if (!std::filesystem::exists(full.file)) GTEST_SKIP() << "this system has no /dev/full";
   EXPECT_THROW(record(full), std::runtime_error) << "its head cannot be written";
 }
 
-TEST(Recording, RefusesFilesThatAreNotRecordings) {
+TEST(Recording, RejectsFilesThatAreNotRecordings) {
   TemporaryFolder folder;
   for (const char* const text : {"", "something else", "\x89MCAP0\r\n", "\x89MCAP0\r\n and then nothing of use"})
     EXPECT_THROW(Recording(folder.write("no.mcap", text)), std::runtime_error) << text;
@@ -360,7 +360,7 @@ TEST(Recording, RefusesFilesThatAreNotRecordings) {
   EXPECT_THROW(Recording(folder.path()), std::runtime_error);
 }
 
-RC_GTEST_PROP(PackedImage, HoldsTheSamePixels, ()) {
+RC_GTEST_PROP(PackedImage, KeepsTheSamePixels, ()) {
   const int width = 2 * *rc::gen::inRange(1, 40), height = *rc::gen::inRange(1, 30), gap = *rc::gen::inRange(0, 9);
   const auto pixels = *rc::gen::container<std::vector<std::uint8_t>>(
       static_cast<std::size_t>((2 * width + gap) * height), rc::gen::arbitrary<std::uint8_t>());

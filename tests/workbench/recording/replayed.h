@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording, made again from its file alone.
+// Replays a recording from its file only.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Replayed {
   std::vector<std::string> damages;
 };
 
-/// From `from` (s of the robot) on; `what_if`: adds to what was recorded.
+/// Replays from `from` (s of the robot). `what_if` adds to the recorded inputs.
 inline Replayed replay(const std::filesystem::path& file, double from = 0.0, InputSource* what_if = nullptr) {
   Recording recording(file);
   Replay again(recording, from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What viewers get: each message fits its schema, and contains the values of the frame's record.
+// Messages for viewers: each fits its schema, and contains the values of the frame's record.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -29,7 +29,8 @@ namespace {
 
 using foxglove::Json;
 
-/// As much of JSON Schema as ours use. Where `value` first does not fit; empty: nowhere.
+/// Checks the part of JSON Schema that our schemas use. Returns the first position at which `value` does not fit;
+/// empty: it fits.
 std::string misfit(const Json& value, const Json& schema, const std::string& where = "") {
   if (schema.contains("oneOf")) {
     for (const Json& choice : schema["oneOf"]) {
@@ -69,7 +70,7 @@ std::string misfit(const Json& value, const Json& schema, const std::string& whe
   return inner;
 }
 
-/// The messages of an eventful run, each of which fits its schema.
+/// The messages of a run with many events, each checked against its schema.
 class ViewerMessagesTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -144,7 +145,7 @@ TEST(ViewerTopics, HaveEachNameOnceAndASchema) {
   }
 }
 
-TEST(Base64, IsThatOfTheStandard) {
+TEST(Base64, FollowsTheStandard) {
   const std::pair<std::string, std::string> kVectors[] = {{"", ""},
                                                           {"f", "Zg=="},
                                                           {"fo", "Zm8="},
@@ -157,7 +158,7 @@ TEST(Base64, IsThatOfTheStandard) {
 }
 
 TEST(Jpeg, ShowsTheColorsOfTheImage) {
-  constexpr int kWidth = 50, kHeight = 30;  // no multiples of JPEG's blocks
+  constexpr int kWidth = 50, kHeight = 30;  // not multiples of JPEG's blocks
   Image image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
@@ -182,7 +183,7 @@ TEST(Jpeg, ShowsTheColorsOfTheImage) {
   EXPECT_TRUE(encoder.encode({}).empty());
 }
 
-TEST(Foxglove, CountsTimeInSecondsAndNanoseconds) {
+TEST(Foxglove, WritesTimeInSecondsAndNanoseconds) {
   EXPECT_EQ(foxglove::time(1.25), Json({{"sec", 1}, {"nsec", 250000000}}));
   EXPECT_EQ(foxglove::time(0.9999999999), Json({{"sec", 1}, {"nsec", 0}}));
   EXPECT_EQ(foxglove::time(-3.0), Json({{"sec", 0}, {"nsec", 0}}));
@@ -213,9 +214,9 @@ TEST(Foxglove, NamesTheModelOfACameraAsRosDoes) {
   EXPECT_EQ(calibration(CameraProjection::equirectangular, {})["D"], Json::array());
 }
 
-// A layout with a topic that is not sent shows nothing.
+// A layout shows nothing for a topic that is not sent.
 
-/// "/world.confidence.current": of a topic that there is, and its schema has such a field.
+/// Checks that a path such as "/world.confidence.current" names a known topic and a field of its schema.
 void expect_path(const std::string& path, char separator) {
   for (const ViewerTopicInfo& row : kViewerTopics) {
     if (!path.starts_with(row.name)) continue;
@@ -231,10 +232,10 @@ void expect_path(const std::string& path, char separator) {
     }
     return;
   }
-  ADD_FAILURE() << path << ": there is no such topic";
+  ADD_FAILURE() << path << ": unknown topic";
 }
 
-TEST(ViewerTopics, StandOnThePageAboutRecordings) {
+TEST(ViewerTopics, AreListedOnThePageAboutRecordings) {
   const std::string page = read_whole_file(std::filesystem::path(kSourceFolder) / "docs" / "recordings.md").value();
   for (const ViewerTopicInfo& row : kViewerTopics) {
     const std::string line = "| `" + std::string(row.name) + "` | `" + std::string(row.schema) + "` | " +
@@ -243,7 +244,7 @@ TEST(ViewerTopics, StandOnThePageAboutRecordings) {
   }
 }
 
-TEST(ViewerLayouts, NameTopicsAndFieldsThatThereAre) {
+TEST(ViewerLayouts, NameExistingTopicsAndFields) {
   const std::filesystem::path folder = std::filesystem::path(kSourceFolder) / "assets" / "views";
   const Json layout = Json::parse(read_whole_file(folder / "lichtblick.json").value());
   int paths = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The checksum of MCAP's records: CRC-32, as zlib has it.
+// The checksum of MCAP's records: CRC-32 as in zlib.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace reorient::mcap {
 
-/// Of what `so_far` is of, and of these bytes behind it; 0: of nothing yet.
+/// Continues the checksum `so_far` with these bytes; 0: starts a checksum.
 inline std::uint32_t crc_of(std::uint32_t so_far, std::span<const std::byte> bytes) {
   return static_cast<std::uint32_t>(
       crc32_z(so_far, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));

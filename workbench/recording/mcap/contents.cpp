@@ -29,8 +29,8 @@ class Walk {
  public:
   explicit Walk(const Source& source) : source_(source) {}
 
-  /// From the record at `where` on, as long as `read` returns true. Returns where the last one ends. Throws Damage, for
-  /// what a record's bytes do not bear, too.
+  /// Reads records from `where` while `read` returns true. Returns the end of the last one. Throws Damage, also for
+  /// invalid contents of a record.
   template <typename Read>
   std::uint64_t each_from(std::uint64_t where, Read read) const {
     while (where < source_.size()) {
@@ -42,25 +42,25 @@ class Walk {
         throw Damage(head.where, bad.what());
       }
     }
-    throw Damage(where, "its end is missing");
+    throw Damage(where, "the end of the file is missing");
   }
 
   RecordHead head_at(std::uint64_t where) const {
     const std::uint64_t left = source_.size() - where;
-    if (left < kRecordHead) throw Damage(where, "it ends within the head of a record");
+    if (left < kRecordHead) throw Damage(where, "the file ends within the head of a record");
     std::array<std::byte, kRecordHead> bytes{};
     source_.read(where, bytes);
     RecordHead head;
     head.where = where;
     ByteReader{bytes}(head.opcode, head.length);
     if (head.length > left - kRecordHead) {
-      throw Damage(where, "a record claims " + std::to_string(head.length) + " bytes where " +
-                              std::to_string(left - kRecordHead) + " are left");
+      throw Damage(where, "expected a record of at most " + std::to_string(left - kRecordHead) + " bytes, found " +
+                              std::to_string(head.length));
     }
     return head;
   }
 
-  /// The first bytes of its content, at most `most`.
+  /// The first bytes of the record's content, at most `most`.
   std::vector<std::byte> content_of(const RecordHead& head, std::uint64_t most = kLargestChunk) const {
     std::vector<std::byte> content(static_cast<std::size_t>(std::min(head.length, most)));
     source_.read(head.content(), content);
@@ -91,7 +91,7 @@ Statistics read_statistics(ByteReader in) {
   return statistics;
 }
 
-/// Of its head alone; the bytes of its messages stay where they are.
+/// Reads only the head of a chunk, not the bytes of its messages.
 ChunkPlace read_chunk_head(const RecordHead& head, std::span<const std::byte> begin) {
   ByteReader in(begin);
   ChunkPlace place;
@@ -101,7 +101,7 @@ ChunkPlace read_chunk_head(const RecordHead& head, std::span<const std::byte> be
   const std::uint64_t before_data = begin.size() - in.left();
   place.data = head.content() + before_data;
   check_bytes(place.data_size <= head.length - before_data, "a chunk's messages are longer than its record");
-  check_bytes(place.size <= kLargestChunk, "a chunk is too large to be one of ours");
+  check_bytes(place.size <= kLargestChunk, "a chunk is larger than in any recording");
   return place;
 }
 
@@ -115,12 +115,12 @@ AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std
   place.data = head.content() + before_data;
   constexpr std::uint64_t kCrc = 4;
   check_bytes(head.length >= before_data + kCrc && place.data_size == head.length - before_data - kCrc,
-              "an attachment's length and its record's length differ");
+              "the length of an attachment differs from its record");
   return place;
 }
 
-/// Messages outside of chunks are grouped, so that their number does not matter. What is too short to be one is
-/// ignored.
+/// Groups messages outside of chunks, so that a large number of them needs no more memory. Ignores records that are too
+/// short for a message.
 void add_loose_message(const Walk& walk, const RecordHead& head, std::vector<ChunkPlace>& loose) {
   constexpr std::uint64_t kBeforeData = 2 + 4 + 8 + 8, kLargestGroup = 4u << 20;
   if (head.length < kBeforeData || head.end() - head.where > kLargestChunk) return;
@@ -142,24 +142,24 @@ void add_loose_message(const Walk& walk, const RecordHead& head, std::vector<Chu
   group.size = group.data_size = group.end - group.where;
 }
 
-constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of a chunk's or an attachment's head, names included
+constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of the head of a chunk or an attachment, including names
 
-/// Records that were found, and at which byte. A writer may repeat records.
+/// Records that were found, with their position in bytes. A writer may repeat records.
 struct Known {
   std::map<std::uint16_t, std::uint64_t> schemas, channels;  // by number
-  std::map<std::uint64_t, std::size_t> metadata;             // by byte, its place in the list
+  std::map<std::uint64_t, std::size_t> metadata;             // by position, the index in the list
 };
 
 template <typename Record>
 void add_new(std::vector<Record>& all, std::map<std::uint16_t, std::uint64_t>& known, Record record,
              std::uint64_t where) {
-  constexpr std::size_t kMost = 4096;  // all of them are gone through again and again
+  constexpr std::size_t kMost = 4096;  // limited because the lists are searched many times
   if (!known.emplace(record.id, where).second) return;
-  check_bytes(all.size() < kMost, "it has more topics or schemas than any recording");
+  check_bytes(all.size() < kMost, "expected at most 4096 topics or schemas, found more");
   all.push_back(std::move(record));
 }
 
-/// False: the data ends here.
+/// Returns false at the end of the data.
 bool read_record(const Walk& walk, const RecordHead& head, Known& known, Contents& contents) {
   switch (static_cast<Opcode>(head.opcode)) {
     case Opcode::header: {
@@ -190,12 +190,12 @@ bool read_record(const Walk& walk, const RecordHead& head, Known& known, Content
       return true;
     case Opcode::data_end:
       return false;
-    default:  // an index, or something newer
+    default:  // an index, or a record of a newer version of MCAP
       return true;
   }
 }
 
-void tell(const Damage& damage, Contents& contents) {
+void report(const Damage& damage, Contents& contents) {
   if (!contents.damage) contents.damage = damage;
 }
 
@@ -206,28 +206,28 @@ std::uint64_t read_chunk_index(ByteReader in) {
   return where;
 }
 
-/// A record of the summary that was not found in the data: damage hid it.
+/// Reads a record that the summary lists but that was not found in the data because of a damage.
 void read_hidden(const Walk& walk, std::uint64_t where, Opcode opcode, Known& known, Contents& contents) {
   try {
     walk.each_from(where, [&](const RecordHead& head) {
-      if (static_cast<Opcode>(head.opcode) != opcode)
-        throw Damage(where, "the record that the summary names is missing");
+      if (static_cast<Opcode>(head.opcode) != opcode) throw Damage(where, "a record that the summary lists is missing");
       read_record(walk, head, known, contents);
       return false;
     });
   } catch (const Damage& damage) {
-    tell(damage, contents);
+    report(damage, contents);
   }
 }
 
-/// Where the summary, which has a checksum, says them again, it is believed: what is otherwise in the data is damaged.
+/// Takes schemas and channels that the summary repeats from there, because it has a checksum. Records of the data that
+/// differ are damaged.
 template <typename Record>
-void keep_said_twice(const std::vector<Record>& in_data, const std::map<std::uint16_t, std::uint64_t>& places,
-                     std::vector<Record>& in_summary, Contents& contents) {
-  if (in_summary.empty()) in_summary = in_data;  // its writer does not repeat them
+void prefer_summary(const std::vector<Record>& in_data, const std::map<std::uint16_t, std::uint64_t>& places,
+                    std::vector<Record>& in_summary, Contents& contents) {
+  if (in_summary.empty()) in_summary = in_data;  // the writer of the file does not repeat them
   for (const Record& record : in_data) {
     if (std::find(in_summary.begin(), in_summary.end(), record) == in_summary.end())
-      tell(Damage(places.at(record.id), "a topic or schema is not described in the summary"), contents);
+      report(Damage(places.at(record.id), "a topic or schema is not described in the summary"), contents);
   }
 }
 
@@ -239,11 +239,11 @@ void take_metadata(const Walk& walk, ByteReader in, bool is_sound, Known& known,
   if (!known.metadata.contains(where)) read_hidden(walk, where, Opcode::metadata, known, contents);
   const auto found = known.metadata.find(where);
   if (!is_sound || found == known.metadata.end() || contents.metadata[found->second].name == name) return;
-  tell(Damage(where, "the name of metadata differs from the summary"), contents);
+  report(Damage(where, "the name of metadata differs from the summary"), contents);
   contents.metadata[found->second].name = name;
 }
 
-/// Behind the last record.
+/// Checks the bytes after the last record.
 void read_end(const Source& source, std::uint64_t where) {
   std::array<std::byte, kMagic.size()> magic{};
   if (source.size() - where < magic.size()) throw Damage(where, "the file ends within the end mark of an MCAP file");
@@ -254,7 +254,7 @@ void read_end(const Source& source, std::uint64_t where) {
 
 constexpr std::uint64_t kFooter = kRecordHead + 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
 
-/// Whether its checksum, the last thing before the file's end, is there and right.
+/// Whether the checksum of the summary, at the end of the file, is present and correct.
 bool is_sound(const Source& source, std::uint64_t summary) {
   std::uint32_t crc = 0;
   const std::uint64_t end = source.size() - kMagic.size() - sizeof(crc);
@@ -265,7 +265,7 @@ bool is_sound(const Source& source, std::uint64_t summary) {
   return crc != 0 && crc == crc_of(0, std::span(bytes).first(bytes.size() - sizeof(crc)));
 }
 
-/// What is told behind the data. It names again what is in them: so what comes behind a damage is found all the same.
+/// Reads the summary after the data. It lists the contents of the data again, so what follows a damage is found, too.
 void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Known& known, Contents& contents) {
   const bool sound = is_sound(source, from);
   const Known in_data = known;
@@ -289,7 +289,7 @@ void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Kn
         return true;
       case Opcode::chunk_index: {
         const std::uint64_t chunk = read_chunk_index(ByteReader(walk.content_of(head)));
-        check_bytes(chunk < from, "the summary names a chunk behind the data");
+        check_bytes(chunk < from, "the summary lists a chunk after the end of the data");
         if (listed.insert(chunk).second) read_hidden(walk, chunk, Opcode::chunk, known, contents);
         return true;
       }
@@ -303,14 +303,14 @@ void read_summary(const Walk& walk, const Source& source, std::uint64_t from, Kn
     }
   });
   if (sound) {
-    keep_said_twice(schemas, in_data.schemas, contents.schemas, contents);
-    keep_said_twice(channels, in_data.channels, contents.channels, contents);
+    prefer_summary(schemas, in_data.schemas, contents.schemas, contents);
+    prefer_summary(channels, in_data.channels, contents.channels, contents);
   }
   read_end(source, end);
   contents.is_complete = true;
 }
 
-/// Where the summary begins, from the last record; 0: no summary.
+/// Position of the summary, from the last record; 0: no summary.
 std::uint64_t summary_of(const Walk& walk, const Source& source) {
   if (source.size() < kFooter + 2 * kMagic.size()) return 0;
   const std::uint64_t footer = source.size() - kMagic.size() - kFooter;
@@ -321,7 +321,7 @@ std::uint64_t summary_of(const Walk& walk, const Source& source) {
   return where < footer ? where : 0;
 }
 
-/// Whether sound records lead from one place to another, and no chunk is among them, which would be one that was lost.
+/// Whether there are only valid records between two positions, and no chunk among them, which would be a lost one.
 bool is_whole_between(const Walk& walk, std::uint64_t from, std::uint64_t to) {
   try {
     while (from < to) {
@@ -335,8 +335,8 @@ bool is_whole_between(const Walk& walk, std::uint64_t from, std::uint64_t to) {
   }
 }
 
-/// One behind the other: bytes belong to one chunk.
-void put_in_order(const Walk& walk, std::vector<ChunkPlace>& chunks) {
+/// Sorts the chunks by position and removes overlapping ones, because a byte belongs to only one chunk.
+void sort_chunks(const Walk& walk, std::vector<ChunkPlace>& chunks) {
   std::sort(chunks.begin(), chunks.end(), [](const ChunkPlace& a, const ChunkPlace& b) { return a.where < b.where; });
   std::uint64_t end = 0;
   std::erase_if(chunks, [&](const ChunkPlace& chunk) {
@@ -387,15 +387,15 @@ Contents read_contents(const Source& source) {
     summary =
         walk.each_from(kMagic.size(), [&](const RecordHead& head) { return read_record(walk, head, known, contents); });
   } catch (const Damage& damage) {
-    tell(damage, contents);
+    report(damage, contents);
   }
   try {
     if (summary == 0) summary = summary_of(walk, source);
     if (summary > 0) read_summary(walk, source, summary, known, contents);
   } catch (const Damage& damage) {
-    tell(damage, contents);
+    report(damage, contents);
   }
-  put_in_order(walk, contents.chunks);
+  sort_chunks(walk, contents.chunks);
   return contents;
 }
 

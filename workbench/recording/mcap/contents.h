@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is in an MCAP file, a whole one or a damaged one, but for the bytes of its messages: found with no more memory
-// than its size justifies. It goes through the records from the first on and needs no summary, which files that ended
-// early lack; where there is one, it finds what lies behind a damage.
+// The contents of a complete or damaged MCAP file without the bytes of its messages, read with no more memory than the
+// size of the file justifies. It reads the records from the first one and does not need the summary, which is missing
+// in files that ended early. With a summary, it also finds what follows a damage.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 
 namespace reorient::mcap {
 
-/// Uncompressed; larger ones are refused.
+/// Largest uncompressed size of a chunk; larger ones are rejected.
 inline constexpr std::uint64_t kLargestChunk = 256u << 20;
 
 /// The position of a chunk, and the contents of its head.
 struct ChunkPlace {
-  std::uint64_t where = 0;                     ///< of its record
+  std::uint64_t where = 0;                     ///< position of its record
   std::uint64_t start_time = 0, end_time = 0;  ///< ns
-  std::uint64_t size = 0;                      ///< bytes of its messages
-  std::uint32_t crc = 0;                       ///< of those; 0: unknown
+  std::uint64_t size = 0;                      ///< bytes of its uncompressed messages
+  std::uint32_t crc = 0;                       ///< checksum of its messages; 0: unknown
   std::string compression;
-  std::uint64_t data = 0, data_size = 0;  ///< where they lie, and how many bytes that are
-  std::uint64_t end = 0;                  ///< of its record
-  bool after_gap = false;                 ///< what stands before it is damaged: a chunk may have been there
+  std::uint64_t data = 0, data_size = 0;  ///< position and number of its compressed bytes
+  std::uint64_t end = 0;                  ///< position of the end of its record
+  bool after_gap = false;                 ///< the bytes before it are damaged and may have been a chunk
 };
 
 struct AttachmentPlace {
   std::uint64_t where = 0;
   std::string name, media_type;
   std::uint64_t time = 0;                 ///< ns
-  std::uint64_t data = 0, data_size = 0;  ///< where it lies
+  std::uint64_t data = 0, data_size = 0;  ///< position and number of its bytes
 };
 
 struct Metadata {
@@ -42,7 +42,7 @@ struct Metadata {
   Texts texts;
 };
 
-/// What is in a file, but for the messages.
+/// The contents of a file without the messages.
 struct Contents {
   std::string library;
   std::vector<Schema> schemas;
@@ -52,15 +52,15 @@ struct Contents {
   std::vector<AttachmentPlace> attachments;
   std::vector<Metadata> metadata;
   std::optional<Statistics> statistics;  ///< from the summary
-  std::optional<Damage> damage;          ///< the first; of what comes after it, what the summary names is listed
-  bool is_complete = false;              ///< it has its end
+  std::optional<Damage> damage;          ///< the first one; after it, only what the summary lists is known
+  bool is_complete = false;              ///< the end of the file is present
 
   const Schema* schema(std::uint16_t id) const;
   const Channel* channel(std::uint16_t id) const;
   const Channel* channel(std::string_view topic) const;
 };
 
-/// Whether it begins as one.
+/// Whether the file begins with the start mark of MCAP.
 bool is_mcap(const Source& source);
 /// Throws Damage if it is not an MCAP file.
 Contents read_contents(const Source& source);

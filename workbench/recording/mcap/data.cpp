@@ -16,7 +16,7 @@ namespace reorient::mcap {
 
 namespace {
 
-constexpr std::size_t kStep = 1u << 20;  // bytes: how long a chunk is claimed to be may be wrong
+constexpr std::size_t kStep = 1u << 20;  // bytes; memory grows in steps because the stated size of a chunk may be wrong
 
 std::vector<std::byte> unpack_zstd(std::span<const std::byte> stored, const ChunkPlace& place) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
@@ -31,7 +31,7 @@ std::vector<std::byte> unpack_zstd(std::span<const std::byte> stored, const Chun
     if (ZSTD_isError(result) != 0)
       throw Damage(place.where, std::string("a chunk is damaged: ") + ZSTD_getErrorName(result));
     records.resize(before + out.pos);
-    if (result == 0) break;  // the frame is whole
+    if (result == 0) break;  // the frame is complete
     if (out.pos == 0 && in.pos == in.size) break;
   }
   return records;
@@ -53,7 +53,7 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> stored, const Chunk
       throw Damage(place.where, std::string("a chunk is damaged: ") + LZ4F_getErrorName(result));
     records.resize(before + written);
     stored = stored.subspan(consumed);
-    if (result == 0 || (written == 0 && consumed == 0)) break;  // the frame is whole, or cut
+    if (result == 0 || (written == 0 && consumed == 0)) break;  // the frame is complete, or truncated
   }
   return records;
 }
@@ -70,11 +70,11 @@ ChunkMessages::ChunkMessages(const Source& source, const ChunkPlace& place) : wh
   } else if (place.compression == "lz4") {
     records_ = unpack_lz4(stored, place);
   } else {
-    throw Damage(where_, "a chunk's compression is unknown (expected lz4, zstd or none)");
+    throw Damage(where_, "a chunk has an unknown compression (expected lz4, zstd or none)");
   }
   if (records_.size() != place.size) {
-    throw Damage(
-        where_, "a chunk holds " + std::to_string(records_.size()) + " bytes instead of " + std::to_string(place.size));
+    throw Damage(where_, "expected a chunk of " + std::to_string(place.size) + " bytes, found " +
+                             std::to_string(records_.size()));
   }
   if (place.crc != 0 && crc_of(0, records_) != place.crc) throw Damage(where_, "a chunk's checksum is wrong");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes that an MCAP file's contents point to: messages of chunks, and attachments.
+// The bytes to which the contents of an MCAP file point: messages of chunks, and attachments.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +28,12 @@ struct ChunkRecord {
 /// The messages of one chunk, in their order.
 class ChunkMessages {
  public:
-  /// Throws Damage; there may be messages before it all the same.
+  /// Throws Damage if the chunk is damaged.
   ChunkMessages(const Source& source, const ChunkPlace& place);
 
-  /// False: there are no more. Throws Damage.
+  /// The next message; false after the last one. Throws Damage.
   bool next(Message& message);
-  /// The same for records of all kinds.
+  /// The same for records of all types.
   bool next(ChunkRecord& record);
 
  private:
@@ -42,7 +42,7 @@ class ChunkMessages {
   std::size_t at_ = 0;
 };
 
-/// Bytes of an attachment. Throws Damage where its checksum is wrong.
+/// Bytes of an attachment. Throws Damage if its checksum is wrong.
 std::vector<std::byte> read_attachment(const Source& source, const AttachmentPlace& place);
 
 }  // namespace reorient::mcap

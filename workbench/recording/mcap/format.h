@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The container format MCAP (mcap.dev/spec, version 0), as far as our recordings use it: records of an opcode, a length
-// and a content, integers little-endian, strings behind their length, times in ns.
+// and a content; integers are little-endian, strings follow their length, times are in ns.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ inline constexpr std::size_t kRecordHead = 9;  // bytes
 using Texts = std::map<std::string, std::string>;
 
 struct Schema {
-  std::uint16_t id = 0;  ///< not 0, which stands for none
+  std::uint16_t id = 0;  ///< not 0, which means no schema
   std::string name;
   std::string encoding;  ///< "jsonschema"
   std::string text;
@@ -49,13 +49,13 @@ struct Channel {
   std::uint16_t id = 0;
   std::uint16_t schema = 0;  ///< 0: none
   std::string topic;
-  std::string encoding;  ///< of its messages: "json"
+  std::string encoding;  ///< encoding of its messages: "json"
   Texts metadata;
 
   bool operator==(const Channel&) const = default;
 };
 
-/// Of a whole file.
+/// Statistics of a whole file.
 struct Statistics {
   std::uint64_t messages = 0;
   std::uint16_t schemas = 0;
@@ -63,7 +63,7 @@ struct Statistics {
   std::uint32_t attachments = 0;
   std::uint32_t metadata = 0;
   std::uint32_t chunks = 0;
-  std::uint64_t first_time = 0, last_time = 0;         ///< ns; 0 where there are no messages
+  std::uint64_t first_time = 0, last_time = 0;         ///< ns; 0 without messages
   std::map<std::uint16_t, std::uint64_t> messages_of;  ///< by channel
 };
 

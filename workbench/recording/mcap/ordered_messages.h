@@ -19,12 +19,12 @@ class OrderedMessages {
  public:
   static constexpr std::uint64_t kMostMemory = 512u << 20;  // bytes of chunks that are open at once
 
-  /// Reads the chunks of `places` when their time has come. `source` must outlive this.
+  /// Reads each chunk of `places` when its first message is due. `source` must outlive this.
   OrderedMessages(const Source& source, std::vector<ChunkPlace> places, std::set<std::uint16_t> channels,
                   std::uint64_t most_memory = kMostMemory);
 
-  /// The next message, valid until the next call; of the same time in the order of the file. False: there are no more.
-  /// Throws Damage, for chunks that overlap in time and need more than `most_memory` together, too.
+  /// The next message, valid until the next call; false after the last one. Messages with the same time come in the
+  /// order of the file. Throws Damage, also for chunks that overlap in time and need more than `most_memory` together.
   bool next(Message& message);
 
  private:
@@ -52,8 +52,8 @@ class OrderedMessages {
   std::size_t next_place_ = 0;
   std::set<std::uint16_t> channels_;
   std::uint64_t most_memory_, memory_ = 0;
-  std::vector<std::unique_ptr<OpenChunk>> open_;  // a heap; the earliest message first
-  std::unique_ptr<OpenChunk> current_;            // of the message that was handed out
+  std::vector<std::unique_ptr<OpenChunk>> open_;  // a heap with the earliest message first
+  std::unique_ptr<OpenChunk> current_;            // chunk of the last returned message
 };
 
 }  // namespace reorient::mcap

@@ -11,7 +11,7 @@
 
 namespace reorient::mcap {
 
-/// A map or an array, behind its length in bytes.
+/// Reads a map or an array, which follows its length in bytes.
 template <typename Each>
 void read_sized(ByteReader& in, Each each) {
   std::uint32_t size = 0;

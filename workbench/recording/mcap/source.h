@@ -11,19 +11,19 @@
 
 namespace reorient::mcap {
 
-/// Somewhere in a file something is not as it should be.
+/// A file is damaged at some position.
 struct Damage : std::runtime_error {
-  /// `place`: the byte at which the record begins.
+  /// `place`: position of the record in bytes.
   Damage(std::uint64_t place, const std::string& what);
   std::uint64_t where;
 };
 
-/// Bytes that can be read at any place.
+/// Bytes that can be read at any position.
 class Source {
  public:
   virtual ~Source() = default;
   virtual std::uint64_t size() const = 0;
-  /// All of `bytes`, which lie within the size. Throws std::runtime_error with one line.
+  /// Fills all of `bytes`, which must be within the size. Throws std::runtime_error with one line.
   virtual void read(std::uint64_t from, std::span<std::byte> bytes) const = 0;
 };
 

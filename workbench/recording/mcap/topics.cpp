@@ -21,7 +21,7 @@ bool has_all_topics(const Contents& contents) {
 
 void read_topics_in_chunks(const Source& source, Contents& contents) {
   if (has_all_topics(contents)) return;
-  constexpr std::size_t kMost = 4096;  // of channels, and of schemas
+  constexpr std::size_t kMost = 4096;  // channels, and as many schemas
   for (const ChunkPlace& place : contents.chunks) {
     try {
       ChunkMessages records(source, place);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Topics of MCAP files that other programs wrote.
+// Topics of MCAP files of other programs.
 #pragma once
 
 #include "workbench/recording/mcap/contents.h"
@@ -7,8 +7,8 @@
 
 namespace reorient::mcap {
 
-/// Adds the schemas and channels that lie in chunks, where the summary is missing or does not repeat them. This reads
-/// the whole file once; it ends at the first damaged chunk.
+/// Adds the schemas and channels in chunks, for files whose summary is missing or does not repeat them. Reads the whole
+/// file once, up to the first damaged chunk.
 void read_topics_in_chunks(const Source& source, Contents& contents);
 
 }  // namespace reorient::mcap

@@ -14,13 +14,13 @@
 namespace reorient::mcap {
 namespace {
 
-constexpr int kLevel = 1;  // of zstd: images hardly shrink further, and a robot has better to do
+constexpr int kLevel = 1;  // of zstd: higher levels cost time and hardly reduce the size of images
 
 void append(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
-/// What a map or an array is behind its length in bytes.
+/// Writes a map or an array after its length in bytes.
 void append_sized(std::vector<std::byte>& out, std::span<const std::byte> entries) {
   ByteWriter{out}(static_cast<std::uint32_t>(entries.size()));
   append(out, entries);
@@ -127,7 +127,7 @@ void Writer::close_chunk() {
   const std::size_t compressed = ZSTD_compressCCtx(compressor_.get(), compressed_.data(), compressed_.size(),
                                                    chunk_.data(), chunk_.size(), kLevel);
   if (ZSTD_isError(compressed) != 0)
-    throw std::runtime_error(std::string("zstd cannot compress: ") + ZSTD_getErrorName(compressed));
+    throw std::runtime_error(std::string("compression with zstd failed: ") + ZSTD_getErrorName(compressed));
 
   const std::string zstd = "zstd";
   out_.clear();
@@ -222,7 +222,7 @@ std::vector<std::byte> Writer::end_of_file() const {
   append_record(end, Opcode::data_end, content);
   const std::size_t before_summary = end.size();
 
-  // Records of one kind lie together, so that a reader can go to those that it wants.
+  // Records of the same type are adjacent, so that a reader can go to the ones that it needs.
   std::vector<std::byte> groups;
   const auto append_group = [&](Opcode opcode, const auto& records) {
     const std::uint64_t start = offset_ + end.size();
@@ -242,7 +242,7 @@ std::vector<std::byte> Writer::end_of_file() const {
   const std::uint64_t offsets_start = offset_ + end.size();
   append(end, groups);
 
-  // The checksum ends in the middle of the footer, before itself.
+  // The checksum covers the bytes up to its own position in the footer.
   constexpr std::uint64_t kFooter = 8 + 8 + 4;
   ByteWriter footer(end);
   footer(Opcode::footer, kFooter, offset_ + before_summary, offsets_start);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes an MCAP file from its first byte to its last, never looking back: chunks with zstd, an index of each, and at
-// the end a summary. A file that ends early lacks the summary alone.
+// Writes an MCAP file sequentially: chunks compressed with zstd, an index of each, and a summary at the end. A file
+// that ends early lacks only the summary.
 #pragma once
 
 #include <cstddef>
@@ -21,40 +21,40 @@ namespace reorient::mcap {
 
 class Writer {
  public:
-  /// Takes bytes in their order, all of them or none. Its exceptions reach the caller of the writer; what was to be
-  /// written then is left out, and the file may still be finished.
+  /// Accepts bytes in their order, all of them or none. Its exceptions reach the caller of the writer. The rejected
+  /// bytes are omitted, and the file can still be finished.
   using Sink = std::function<void(std::span<const std::byte>)>;
 
-  /// `library`: the program that writes, for people.
+  /// `library`: name of the writing program, for information.
   Writer(Sink sink, std::string_view library);
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  // Before their first message.
+  // To be called before their first message.
   std::uint16_t add_schema(std::string_view name, std::string_view encoding, std::string_view text);
   std::uint16_t add_channel(std::string_view topic, std::string_view encoding, std::uint16_t schema,
                             const Texts& metadata = {});
 
-  /// Into the chunk that is open. `time`: ns, of its content.
+  /// Adds a message to the open chunk. `time`: ns, of its content.
   void add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data);
-  /// Bytes of messages that the sink has not got yet.
+  /// Bytes of messages that were not yet passed to the sink.
   std::size_t waiting() const { return chunk_.size(); }
-  /// Hands them to the sink, at once.
+  /// Passes them to the sink in one call.
   void close_chunk();
 
   void add_metadata(std::string_view name, const Texts& texts);
   void add_attachment(std::string_view name, std::string_view media_type, std::uint64_t time,
                       std::span<const std::byte> data);
 
-  /// Closes the chunk, and writes the summary at once. Nothing may be added any more. Where the sink has no room for
-  /// it, it may be tried again.
+  /// Closes the chunk and writes the summary in one call. Nothing may be added afterwards. If the sink has no space for
+  /// it, the call can be repeated.
   void finish();
-  /// Forgets as many of the last chunks as the summary takes room, and whatever was written behind them: the file ends
-  /// where they began, at size(), and only finish() may follow. False: the chunks take less than the summary; all stay.
+  /// Drops as many of the last chunks as the summary needs space, and everything after them. The file then ends at
+  /// size(), and only finish() may follow. Returns false without a change if the chunks are smaller than the summary.
   bool make_room();
 
-  // What the sink has got, without what is forgotten.
+  // Data that was passed to the sink, without dropped data.
   std::uint64_t size() const { return offset_; }  ///< bytes
   std::uint64_t messages_of(std::uint16_t channel) const { return channels_.at(channel).closed; }
 
@@ -65,16 +65,16 @@ class Writer {
   };
   struct ChannelState {
     std::uint32_t sequence = 0;
-    std::uint64_t closed = 0;       // messages in the chunks
+    std::uint64_t closed = 0;       // messages in closed chunks
     std::vector<IndexEntry> index;  // of the open chunk
   };
   struct Placed {
-    std::uint64_t offset;            // of the record in the file
+    std::uint64_t offset;            // position of the record in the file
     std::vector<std::byte> content;  // its description in the summary
   };
   struct ClosedChunk : Placed {
     std::uint64_t start, end;                                     // ns
-    std::vector<std::pair<std::uint16_t, std::uint32_t>> counts;  // of its messages by channel
+    std::vector<std::pair<std::uint16_t, std::uint32_t>> counts;  // messages by channel
   };
 
   void put(std::span<const std::byte> bytes);
@@ -85,8 +85,8 @@ class Writer {
   Sink sink_;
   std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> compressor_;
   std::uint64_t offset_ = 0;
-  std::uint32_t crc_ = 0;  // of all that the sink has got
-  bool knows_crc_ = true;  // not where something of it is forgotten
+  std::uint32_t crc_ = 0;  // of all bytes that were passed to the sink
+  bool knows_crc_ = true;  // false after chunks were dropped
 
   std::vector<ChannelState> channels_;
   std::vector<std::byte> chunk_, compressed_, out_;

@@ -73,14 +73,14 @@ Json triangles_json(const std::vector<scene::Shape<Eigen::Vector3d>>& shapes) {
                        {"indices", std::move(indices)}}});
 }
 
-/// Shapes with a common style as one: pairs of points where `is_list`.
+/// Shapes with a common style combined into one. `is_list`: its points are pairs.
 template <typename Point>
 struct Stroke {
   scene::Shape<Point> shape;
   bool is_list = false;
 };
 
-/// Many short lines follow each other: together they take a fraction of the text.
+/// Combines successive short lines, which reduces the text to a fraction.
 template <typename Point>
 std::vector<Stroke<Point>> strokes(const std::vector<scene::Shape<Point>>& shapes) {
   std::vector<Stroke<Point>> all;
@@ -148,7 +148,7 @@ Json poses_in_frame(double seconds, std::string_view frame, std::span<const Pose
 
 Json camera_calibration(double seconds, std::string_view frame, const CameraModel& camera) {
   const double fx = camera.focal.x(), fy = camera.focal.y(), cx = camera.center.x(), cy = camera.center.y();
-  // ROS's names of the models; it has none for an equirectangular image.
+  // Names of the camera models in ROS, which has no name for an equirectangular image.
   const char* model = "plumb_bob";
   Json coefficients = {camera.k1, camera.k2, camera.p1, camera.p2, camera.k3};
   if (camera.projection == CameraProjection::fisheye) {

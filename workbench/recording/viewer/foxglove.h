@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The messages of Foxglove that its viewer, Lichtblick and others draw without configuration, of the schemas in
-// foxglove_schemas.h. Frames: x forward, y left, z up, m, rad.
+// Messages of Foxglove, with the schemas in foxglove_schemas.h. Its viewer, Lichtblick and others draw them without
+// configuration. Frames: x forward, y left, z up, m, rad.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ Json pose(const Pose2& pose);
 /// Transformation between two frames.
 Json transform(double seconds, std::string_view parent, std::string_view child, const Isometry3& motion);
 Isometry3 on_the_ground(const Pose2& pose);
-/// What Foxglove calls a camera's frame, x right, y down, z ahead, in ours, x ahead, y left, z up.
+/// Rotation from Foxglove's camera frame (x right, y down, z forward) to ours (x forward, y left, z up).
 Isometry3 camera_from_optical();
 
 Json pose_in_frame(double seconds, std::string_view frame, const Pose2& where);
@@ -36,7 +36,7 @@ enum class Level { debug = 1, info, warning, error };
 Json log(double seconds, Level level, std::string_view name, std::string_view message, std::string_view file = "",
          int line = 0);
 
-/// The scene as one entity, which stays until another with the same id comes.
+/// The scene as one entity, which remains until another entity with the same id replaces it.
 Json scene_update(double seconds, std::string_view frame, std::string_view id, const scene::Scene& scene);
 
 /// The overlay on an image. Foxglove draws no dashes: dashed lines are solid.

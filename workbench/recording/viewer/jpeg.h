@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Camera images as JPEG, for people to look at.
+// Camera images as JPEG, for viewers.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ class JpegEncoder {
   /// `quality`: 1 to 100.
   explicit JpegEncoder(int quality);
 
-  /// Valid until the next call; empty where the image is. A camera's two pixels with one color are what JPEG calls
-  /// 4:2:2, so that nothing is converted. Throws std::runtime_error with one line.
+  /// Valid until the next call; empty if the image is empty. Two pixels of the camera share a color, which is 4:2:2 in
+  /// JPEG, so no conversion is needed. Throws std::runtime_error with one line.
   std::span<const std::byte> encode(const ImageView& image);
 
  private:

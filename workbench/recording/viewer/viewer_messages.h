@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame in messages that viewers draw and plot.
+// A frame as messages that viewers draw and plot.
 #pragma once
 
 #include <array>
@@ -16,21 +16,21 @@
 
 namespace reorient {
 
-/// The record's topics beyond those that are always filled, of which messages can be made where they are there.
+/// Topics of the record that are not always filled. Messages are made of them if they are.
 inline constexpr Topics kViewedTopics{Topic::pose_particles, Topic::room, Topic::parameters, Topic::costs};
 
-/// A frame as it is shown. What stays valid during the call is enough.
+/// A frame to be shown. It must be valid only during the call.
 struct ViewedFrame {
-  const FrameRecord& frame;  ///< all that is always filled
-  const FrameRecord& extra;  ///< those of kViewedTopics that are filled: the same record, or another
+  const FrameRecord& frame;  ///< topics that are always filled
+  const FrameRecord& extra;  ///< the filled topics of kViewedTopics, in the same record or another one
   const SceneTruth& scene;
-  std::array<ImageView, 2> images;  ///< of the upper and the lower camera; empty: none is shown
-  bool begins = false;              ///< a viewer may begin here: messages that last are sent again
+  std::array<ImageView, 2> images;  ///< of the upper and the lower camera; empty: not shown
+  bool begins = false;              ///< a viewer may start here, so lasting messages are sent again
 };
 
 class ViewerMessages {
  public:
-  /// Of the JPEGs: 1 to 100.
+  /// Quality of the JPEGs: 1 to 100.
   explicit ViewerMessages(int jpeg_quality = 75) : encoder_(jpeg_quality) {}
 
   /// The message is valid during the call.

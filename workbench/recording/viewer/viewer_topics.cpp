@@ -20,7 +20,7 @@ Json schema_of(const WorldField& field) {
   return schema;
 }
 
-/// Numbers that are none, as "never", are left out of a message: so nothing of it is required.
+/// Messages omit numbers that are not finite, such as "never", so no field is required.
 Json world_schema() {
   Json tables = Json::object();
   for (const WorldField& field : world_fields()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a recording holds for people to look at, one row a topic: messages in JSON, which Foxglove, Lichtblick and
-// PlotJuggler open without configuration. The one table that recordings, live views and docs name them by.
+// The topics of a recording for viewers, one row for each topic: messages in JSON, which Foxglove, Lichtblick and
+// PlotJuggler open without configuration. Recordings, live views and docs use this table.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct ViewerTopicInfo {
   std::string_view name;
   std::string_view schema;
   std::string_view description;
-  bool lasts = false;  ///< a message is valid until the next one: a reader that starts in between needs it
+  bool lasts = false;  ///< a message is valid until the next one, so a reader that starts in between needs it
 };
 
 inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
@@ -78,7 +78,7 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
 
 constexpr const ViewerTopicInfo& info(ViewerTopic topic) { return kViewerTopics[static_cast<std::size_t>(topic)]; }
 
-/// How the messages of a schema look: JSON Schema, as text. Throws std::out_of_range for an unknown schema.
+/// The format of the messages of a schema as JSON Schema text. Throws std::out_of_range for an unknown schema.
 std::string schema_text(std::string_view schema);
 
 }  // namespace reorient
