@@ -14,7 +14,7 @@
 namespace reorient::pictures {
 namespace {
 
-// Uniform, so that only what is drawn over it stands out.
+// Uniform, so that only the drawn objects differ from it.
 Image plain_image(int width, int height, Ycbcr color) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -30,13 +30,13 @@ Image plain_image(int width, int height, Ycbcr color) {
 
 constexpr Ycbcr kSkin{150, 110, 150};
 
-/// Of a robot at the origin that looks level along x, 0.5 m above the ground.
+/// The camera of a robot at the origin that looks horizontally along x, 0.5 m above the ground.
 CameraModel camera_of(const Image& image) {
   return CameraModel::from_fields_of_view(image.width(), image.height(), 1.0, 0.8);
 }
 const Isometry3 kRobotFromCamera = Isometry3(Eigen::Translation3d(0.0, 0.0, 0.5));
 
-/// The camera of a frame with this overlay.
+/// The view of a frame with this overlay.
 CameraView view_of(const Image& image, scene::Overlay overlay) { return {image.view(), 0.0, std::move(overlay)}; }
 
 /// A frame that looks through the upper camera at the wall.
@@ -49,7 +49,7 @@ FrameRecord frame_with(const Image& image) {
   return frame;
 }
 
-TEST(CameraView, shows_the_image_in_its_colors_at_any_resolution) {
+TEST(CameraView, ShowsTheImageInItsColorsAtAnyResolution) {
   for (const int width : {160, 320, 640, 1280}) {
     const Image image = plain_image(width, width * 3 / 4, kSkin);
     CameraView camera;
@@ -61,10 +61,10 @@ TEST(CameraView, shows_the_image_in_its_colors_at_any_resolution) {
   }
 }
 
-TEST(CameraView, draws_marks_at_their_pixels) {
+TEST(CameraView, DrawsMarksAtTheirPixels) {
   const Image image = plain_image(320, 240, kSkin);
   FieldPercept percept;
-  // On the ground ahead; beside it in the image as well.
+  // A point on the ground ahead of the robot.
   percept.line_points.resize(1);
   percept.line_points[0].position = {1.5, 0.0};
   percept.line_points[0].normal = kPi / 2.0;
@@ -84,7 +84,7 @@ TEST(CameraView, draws_marks_at_their_pixels) {
   EXPECT_TRUE(is_similar(picture.at(202, 380), to_color(kSkin)));
 }
 
-TEST(CameraView, draws_view_particles_where_their_azimuth_is_seen) {
+TEST(CameraView, DrawsViewParticlesWhereTheirAzimuthIsSeen) {
   const Image image = plain_image(320, 240, kSkin);
   FrameRecord frame = frame_with(image);
   frame.room.particles = {{0.0, 1.0}, {0.3, 1.0}};
@@ -94,7 +94,7 @@ TEST(CameraView, draws_view_particles_where_their_azimuth_is_seen) {
   EXPECT_EQ(count(picture, palette::view_particle, 680, 0, 1280, 960), 0);
 }
 
-TEST(CameraView, draws_cells_of_a_grid_by_their_share) {
+TEST(CameraView, DrawsCellsOfAGridByTheirFraction) {
   const Image image = plain_image(320, 240, kSkin);
   FrameRecord frame = frame_with(image);
   frame.room.cells = {{0.3, 0.4}, {-0.3, 0.1}, {0.0, 0.001}};
@@ -105,7 +105,7 @@ TEST(CameraView, draws_cells_of_a_grid_by_their_share) {
   EXPECT_EQ(count(picture, palette::view_particle, 620, 0, 660, 960), 0);
 }
 
-TEST(CameraView, draws_a_chart_only_in_tiles_that_count) {
+TEST(CameraView, DrawsAChartOnlyInTilesThatCount) {
   const Image image = plain_image(640, 480, kSkin);
   const Wall wall;
   PerceivedTile tile;
@@ -123,7 +123,7 @@ TEST(CameraView, draws_a_chart_only_in_tiles_that_count) {
   EXPECT_LT(count(uncounted, to_color(kSkin), 0, 0, 1280, 960), 1280 * 960 - 100);  // its outline
 }
 
-TEST(CameraView, projects_the_lines_of_the_field) {
+TEST(CameraView, ProjectsTheLinesOfTheField) {
   const Image image = plain_image(320, 240, kSkin);
   const FieldDimensions field;
   const CameraModel camera = camera_of(image);
@@ -135,13 +135,13 @@ TEST(CameraView, projects_the_lines_of_the_field) {
     const Eigen::Vector2i at = (4.0 * *pixel + Eigen::Vector2d(2.0, 2.0)).cast<int>();
     EXPECT_TRUE(is_similar(picture.at(at.x(), at.y()), palette::expected, 40)) << x;
   }
-  // A pinhole keeps lines straight: their ends are enough, with some points where they leave the image.
+  // A pinhole camera keeps lines straight, so their ends are enough, with some points where they leave the image.
   std::size_t points = 0;
   for (const auto& line : lines.shapes) points += line.points.size();
   EXPECT_LT(points, 150U);
 }
 
-TEST(CameraView, leaves_a_gap_in_the_boundary_where_no_field_is_in_view) {
+TEST(CameraView, LeavesAGapInTheBoundaryIfNoFieldIsInView) {
   const Image image = plain_image(320, 240, kSkin);
   FieldPercept percept;
   percept.boundary.assign(40, 100.0F);
@@ -153,7 +153,7 @@ TEST(CameraView, leaves_a_gap_in_the_boundary_where_no_field_is_in_view) {
   EXPECT_EQ(count(picture, palette::boundary, 400, 0, 880, 960), 0);
 }
 
-TEST(CameraView, never_draws_over_the_legend) {
+TEST(CameraView, NeverDrawsOverTheLegend) {
   const Image image = plain_image(640, 480, kSkin);
   const CameraModel camera = camera_of(image);
   FieldPercept percept;
@@ -164,15 +164,15 @@ TEST(CameraView, never_draws_over_the_legend) {
   const Picture picture = draw_camera_view(view_of(image, overlay));
   EXPECT_GT(count(picture, palette::page, 600, 961, 1280, picture.height), 680 * 70);
   EXPECT_GT(count(picture, palette::page, 640, 962, 660, picture.height), 20 * 70);
-  EXPECT_LT(count(picture, to_color(kSkin), 0, 600, 1280, 602), 600);  // the endless line is there
+  EXPECT_LT(count(picture, to_color(kSkin), 0, 600, 1280, 602), 600);  // the endless line is drawn
 }
 
-TEST(CameraView, draws_without_an_image) {
+TEST(CameraView, DrawsWithoutAnImage) {
   const Picture picture = draw_camera_view({});
   EXPECT_EQ(count(picture, palette::plate, 0, 0, 1280, 960), 1280 * 960);
 }
 
-TEST(CameraView, leaves_out_what_is_not_a_number) {
+TEST(CameraView, OmitsValuesThatAreNotFinite) {
   const Image image = plain_image(320, 240, kSkin);
   const CameraModel camera = camera_of(image);
   const Eigen::Vector2d bad(kNaN, 10.0);
@@ -198,7 +198,7 @@ TEST(CameraView, leaves_out_what_is_not_a_number) {
   shapes.circles = {{bad, 4.0, palette::percept}, {{10.0, 10.0}, kNaN, palette::percept}};
   overlay.push_back(shapes);
   const Picture picture = draw_camera_view(view_of(image, overlay));
-  // All but the one side of two shapes that has two good ends.
+  // Everything except the one side of two shapes that has two valid ends.
   EXPECT_GT(count(picture, to_color(kSkin), 0, 0, 1280, 960), 1280 * 960 - 3000);
   EXPECT_EQ(count(picture, to_color(kSkin), 240, 0, 1280, 960), 1040 * 960);
 }

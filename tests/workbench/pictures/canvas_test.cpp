@@ -15,7 +15,7 @@ namespace {
 constexpr Color kWhite{255, 255, 255};
 constexpr Color kRed{200, 0, 0};
 
-TEST(Canvas, fills_exactly_the_pixels_of_a_box) {
+TEST(Canvas, FillsExactlyThePixelsOfABox) {
   Canvas canvas(20, 10, kWhite);
   canvas.fill_box({3.0, 2.0, 5.0, 4.0}, kRed);
   const Picture picture = canvas.finish();
@@ -24,13 +24,13 @@ TEST(Canvas, fills_exactly_the_pixels_of_a_box) {
   EXPECT_EQ(count(picture, kWhite), 180);
 }
 
-TEST(Canvas, mixes_a_translucent_color_with_what_is_beneath) {
+TEST(Canvas, BlendsATranslucentColorWithTheBackground) {
   Canvas canvas(8, 8, kWhite);
   canvas.fill_box({0.0, 0.0, 8.0, 8.0}, Color{0, 0, 0}.with_opacity(0.5));
   EXPECT_TRUE(is_similar(canvas.finish().at(4, 4), {127, 127, 127}, 1));
 }
 
-TEST(Canvas, smooths_edges) {
+TEST(Canvas, SmoothsEdges) {
   Canvas canvas(40, 40, kWhite);
   canvas.disc({20.0, 20.0}, 12.0, Color{0, 0, 0});
   const Picture picture = canvas.finish();
@@ -39,7 +39,7 @@ TEST(Canvas, smooths_edges) {
   EXPECT_GT(count(picture, {128, 128, 128}), 0);
 }
 
-TEST(Canvas, cuts_off_what_is_outside_of_a_window) {
+TEST(Canvas, ClipsToAWindow) {
   Canvas canvas(30, 30, kWhite);
   canvas.within({10.0, 10.0, 10.0, 10.0}, [&] {
     canvas.line({0.0, 15.0}, {30.0, 15.0}, kRed, 3.0);
@@ -50,7 +50,7 @@ TEST(Canvas, cuts_off_what_is_outside_of_a_window) {
   EXPECT_EQ(count(picture, kWhite) - count(picture, kWhite, 10, 10, 20, 20), 800);
 }
 
-RC_GTEST_PROP(Canvas, draws_a_long_line_through_the_pixels_that_it_crosses, ()) {
+RC_GTEST_PROP(Canvas, DrawsALongLineThroughThePixelsThatItCrosses, ()) {
   const double angle = *rc::gen::inRange(0, 3600) * 0.1 * CV_PI / 180.0;
   const double reach = std::pow(10.0, *rc::gen::inRange(2, 9));
   Canvas canvas(60, 60, kWhite);
@@ -66,7 +66,7 @@ RC_GTEST_PROP(Canvas, draws_a_long_line_through_the_pixels_that_it_crosses, ()) 
   }
 }
 
-TEST(Canvas, leaves_out_what_is_not_finite) {
+TEST(Canvas, OmitsCoordinatesThatAreNotFinite) {
   Canvas canvas(30, 30, kWhite);
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     const Pixel point(bad, 10.0);
@@ -84,7 +84,7 @@ TEST(Canvas, leaves_out_what_is_not_finite) {
   EXPECT_EQ(count(canvas.finish(), kWhite), 900);
 }
 
-TEST(Canvas, leaves_a_gap_in_a_curve_where_a_point_is_not_finite) {
+TEST(Canvas, LeavesAGapInACurveWhereAPointIsNotFinite) {
   Canvas canvas(60, 20, kWhite);
   canvas.polyline(std::vector<Pixel>{{5.0, 10.0}, {20.0, 10.0}, {30.0, kNaN}, {40.0, 10.0}, {55.0, 10.0}}, kRed, 4.0);
   const Picture picture = canvas.finish();
@@ -93,7 +93,7 @@ TEST(Canvas, leaves_a_gap_in_a_curve_where_a_point_is_not_finite) {
   EXPECT_EQ(count(picture, kWhite, 24, 0, 36, 20), 12 * 20);
 }
 
-TEST(Canvas, survives_coordinates_and_sizes_beyond_all_measure) {
+TEST(Canvas, SurvivesExtremeCoordinatesAndSizes) {
   Canvas canvas(20, 20, kWhite);
   canvas.fill(std::vector<Pixel>{{-1e15, -1e15}, {1e15, -1e15}, {1e15, 1e15}, {-1e15, 1e15}}, kRed);
   EXPECT_EQ(count(canvas.finish(), kRed), 400);
@@ -104,7 +104,7 @@ TEST(Canvas, survives_coordinates_and_sizes_beyond_all_measure) {
   EXPECT_EQ(count(canvas.finish(), kRed), 400);
 }
 
-TEST(Canvas, writes_text_as_wide_as_it_says) {
+TEST(Canvas, WritesTextOfTheReportedWidth) {
   const TextStyle style{.size = 24.0, .color = kRed};
   const double width = Canvas::text_width("wide words", style);
   Canvas canvas(300, 60, kWhite);
@@ -115,7 +115,7 @@ TEST(Canvas, writes_text_as_wide_as_it_says) {
   EXPECT_LT(count(picture, kWhite, end - 14, 20, end, 42), 14 * 22);
 }
 
-TEST(Canvas, shortens_what_is_too_long_and_nothing_else) {
+TEST(Canvas, ShortensOnlyTextThatIsTooLong) {
   const TextStyle style{.size = 20.0};
   EXPECT_EQ(shortened("flip", 200.0, style), "flip");
   const std::string words = shortened(std::string(100000, 'w'), 200.0, style);
@@ -124,7 +124,7 @@ TEST(Canvas, shortens_what_is_too_long_and_nothing_else) {
   EXPECT_EQ(shortened("tab\tand \xC3\xA9", 500.0, style), "tab?and ??");
 }
 
-TEST(FieldDrawing, puts_lines_where_the_dimensions_say) {
+TEST(FieldDrawing, DrawsLinesAtTheirDimensions) {
   const FieldDimensions field;
   Canvas canvas(1040, 740, kWhite);
   const FieldView view = FieldView::fitted(field, {0.0, 0.0, 1040.0, 740.0});
@@ -144,7 +144,7 @@ TEST(FieldDrawing, puts_lines_where_the_dimensions_say) {
   EXPECT_FALSE(is_line(1.5, 1.5));
 }
 
-TEST(FieldDrawing, survives_fields_that_are_none) {
+TEST(FieldDrawing, SurvivesInvalidFields) {
   for (const double size : {0.0, -5.0, 1e300, kNaN, kInfinity}) {
     FieldDimensions field;
     field.length = field.border = field.center_circle_radius = field.line_width = size;

@@ -11,7 +11,7 @@
 namespace reorient::pictures {
 namespace {
 
-// Where the curves are; the picture's own numbers.
+// Position of the curves; the same numbers as in the implementation.
 constexpr int kLeft = 196;
 constexpr int kRight = 1464;
 constexpr int kTop = 176;
@@ -23,7 +23,7 @@ ConfidencePlot ten_seconds(double current, double opposite) {
   return plot;
 }
 
-TEST(ConfidencePlot, draws_each_curve_at_the_height_of_its_confidence) {
+TEST(ConfidencePlot, DrawsEachCurveAtTheHeightOfItsConfidence) {
   const Picture picture = draw_confidence_plot(ten_seconds(0.8, 0.1));
   for (const int x : {kLeft + 100, (kLeft + kRight) / 2, kRight - 100}) {
     EXPECT_TRUE(is_similar(picture.at(x, kTop + 80), palette::belief)) << x;
@@ -31,7 +31,7 @@ TEST(ConfidencePlot, draws_each_curve_at_the_height_of_its_confidence) {
   }
 }
 
-TEST(ConfidencePlot, leaves_a_gap_where_there_is_no_confidence) {
+TEST(ConfidencePlot, LeavesAGapWithoutAConfidence) {
   ConfidencePlot plot = ten_seconds(0.8, 0.1);
   for (int i = 40; i < 60; ++i) plot.samples[static_cast<std::size_t>(i)].current = kNaN;
   const Picture picture = draw_confidence_plot(plot);
@@ -39,7 +39,7 @@ TEST(ConfidencePlot, leaves_a_gap_where_there_is_no_confidence) {
   EXPECT_TRUE(is_similar(picture.at((kLeft + kRight) / 2, kTop + 360), palette::opposite));
 }
 
-TEST(ConfidencePlot, draws_a_granted_command_through_and_a_refused_one_dashed) {
+TEST(ConfidencePlot, DrawsAGrantedCommandSolidAndARefusedOneDashed) {
   ConfidencePlot plot = ten_seconds(0.8, 0.1);
   plot.commands = {{2.5, "flip", true}, {7.5, "purge", false}};
   const Picture picture = draw_confidence_plot(plot);
@@ -58,7 +58,7 @@ TEST(ConfidencePlot, draws_a_granted_command_through_and_a_refused_one_dashed) {
   EXPECT_LT(dash, 12);
 }
 
-TEST(ConfidencePlot, draws_refusals_frame_after_frame_as_one) {
+TEST(ConfidencePlot, DrawsRefusalsInSuccessiveFramesAsOne) {
   ConfidencePlot once = ten_seconds(0.8, 0.1);
   once.commands = {{2.0, "flip", false}};
   ConfidencePlot often = once;
@@ -66,7 +66,7 @@ TEST(ConfidencePlot, draws_refusals_frame_after_frame_as_one) {
   EXPECT_EQ(draw_confidence_plot(once), draw_confidence_plot(often));
 }
 
-TEST(ConfidencePlot, gives_a_condition_a_lane_and_shades_the_ground_where_the_robot_was_carried) {
+TEST(ConfidencePlot, DrawsALaneForEachConditionAndShadesTimesWithALiftedRobot) {
   ConfidencePlot plot = ten_seconds(0.9, 0.1);
   const int height_without = draw_confidence_plot(plot).height;
   plot.conditions = {{RunCondition::lifted, 4.0, 6.0}};
@@ -78,7 +78,7 @@ TEST(ConfidencePlot, gives_a_condition_a_lane_and_shades_the_ground_where_the_ro
   EXPECT_TRUE(is_similar(draw_confidence_plot(plot).at(kLeft + 640, kTop + 210), palette::page));
 }
 
-TEST(ConfidencePlot, stays_within_its_axes_whatever_the_values) {
+TEST(ConfidencePlot, StaysWithinItsAxesForAnyValues) {
   ConfidencePlot plot = ten_seconds(1e30, -1e30);
   plot.samples.push_back({kNaN, 0.5, 0.5, 0.5, 0.5});
   plot.commands = {{kNaN, "flip", true}, {-1e300, "flip", true}, {1e300, std::string(5000, 'x'), true}};
@@ -89,7 +89,7 @@ TEST(ConfidencePlot, stays_within_its_axes_whatever_the_values) {
   EXPECT_EQ(count(picture, palette::page, kRight + 6, kTop, 1500, kBottom), (1500 - kRight - 6) * (kBottom - kTop));
 }
 
-TEST(ConfidencePlot, draws_a_run_in_which_nothing_happened) {
+TEST(ConfidencePlot, DrawsARunInWhichNothingHappened) {
   const Picture picture = draw_confidence_plot({});
   EXPECT_GT(count(picture, palette::grid), 4000);
   ConfidencePlot one;

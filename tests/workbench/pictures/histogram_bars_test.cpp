@@ -25,7 +25,7 @@ Picture chart(const HistogramBars& bars, double below) {
   return canvas.finish();
 }
 
-TEST(BinColor, lies_in_the_region_that_the_bin_stands_for) {
+TEST(BinColor, LiesInTheRegionOfTheBin) {
   for (int bin = 2; bin < kHistogramBins; ++bin) {
     const Color color = bin_color(bin);
     const double luma = 0.299 * color.red + 0.587 * color.green + 0.114 * color.blue;
@@ -40,7 +40,7 @@ TEST(BinColor, lies_in_the_region_that_the_bin_stands_for) {
   EXPECT_EQ(bin_color(1), (Color{255, 255, 255}));
 }
 
-TEST(BinColor, tells_all_bins_apart) {
+TEST(BinColor, DiffersBetweenAllBins) {
   std::set<std::tuple<int, int, int>> colors;
   for (int bin = 0; bin < kHistogramBins; ++bin) {
     const Color color = bin_color(bin);
@@ -49,9 +49,9 @@ TEST(BinColor, tells_all_bins_apart) {
   EXPECT_EQ(colors.size(), 14U);
 }
 
-TEST(HistogramBars, rise_with_the_share_in_the_bins_color) {
+TEST(HistogramBars, RiseWithTheFractionInTheColorOfTheBin) {
   HistogramBars bars;
-  bars.share[5] = 0.25F;  // half of what fills the height
+  bars.share[5] = 0.25F;  // half of the value that fills the height
   const Picture picture = chart(bars, 0.0);
   EXPECT_TRUE(is_similar(picture.at(110, 95), bin_color(5)));
   EXPECT_TRUE(is_similar(picture.at(110, 54), bin_color(5)));
@@ -59,17 +59,17 @@ TEST(HistogramBars, rise_with_the_share_in_the_bins_color) {
   EXPECT_EQ(picture.at(130, 90), kGround);
 }
 
-TEST(HistogramBars, go_down_with_the_deviation) {
+TEST(HistogramBars, GoDownWithTheDeviation) {
   HistogramBars bars;
   bars.share[0] = 0.5F;
-  bars.deviation[0] = 0.0625F;  // half of what fills the depth
+  bars.deviation[0] = 0.0625F;  // half of the value that fills the depth
   const Picture picture = chart(bars, 0.4);
   EXPECT_TRUE(is_similar(picture.at(10, 30), bin_color(0)));
   EXPECT_TRUE(is_similar(picture.at(10, 75), bin_color(0)));
   EXPECT_EQ(picture.at(10, 85), kGround);
 }
 
-TEST(HistogramBars, end_at_the_top_however_large_the_share) {
+TEST(HistogramBars, EndAtTheTopForLargeFractions) {
   HistogramBars bars;
   bars.share[2] = 1e30F;
   Canvas canvas(280, 100, kGround);
@@ -79,7 +79,7 @@ TEST(HistogramBars, end_at_the_top_however_large_the_share) {
   EXPECT_EQ(picture.at(50, 36), kGround);
 }
 
-TEST(HistogramBars, leave_out_what_is_no_share) {
+TEST(HistogramBars, OmitInvalidFractions) {
   HistogramBars bars;
   bars.share.fill(std::numeric_limits<float>::quiet_NaN());
   bars.share[1] = -0.5F;
@@ -87,7 +87,7 @@ TEST(HistogramBars, leave_out_what_is_no_share) {
   EXPECT_EQ(chart(bars, 0.2), chart(HistogramBars{}, 0.2));
 }
 
-TEST(Ycbcr, turns_primary_colors_into_those_of_a_screen) {
+TEST(Ycbcr, ConvertsPrimaryColorsToThoseOfAScreen) {
   EXPECT_EQ(to_color({0, 128, 128}), (Color{0, 0, 0}));
   EXPECT_EQ(to_color({255, 128, 128}), (Color{255, 255, 255}));
   EXPECT_TRUE(is_similar(to_color({76, 85, 255}), {255, 0, 0}, 3));
@@ -95,7 +95,7 @@ TEST(Ycbcr, turns_primary_colors_into_those_of_a_screen) {
   EXPECT_TRUE(is_similar(to_color({29, 255, 107}), {0, 0, 255}, 3));
 }
 
-TEST(Ycbcr, reads_pixels_by_the_stride) {
+TEST(Ycbcr, ReadsPixelsByTheStride) {
   const std::uint8_t bytes[] = {10, 128, 20, 128, 99, 99, 30, 128, 40, 128, 99, 99};
   const Picture picture = to_picture({bytes, 2, 2, 6});
   EXPECT_EQ(picture.bytes, (std::vector<std::uint8_t>{10, 10, 10, 20, 20, 20, 30, 30, 30, 40, 40, 40}));

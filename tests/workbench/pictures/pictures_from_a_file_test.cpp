@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures need records and nothing else: another process draws the same ones from a file.
+// Pictures need only records: another process draws the same pictures from a file.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -34,7 +34,7 @@ std::size_t size_of_truth() {
   return bytes.size();
 }
 
-/// Each frame as the length of its record, the record, and where the robot really was.
+/// Each frame as the length of its record, the record, and the true pose.
 void append(const FrameRecord& frame, const GroundTruth& truth, std::string& file) {
   Bytes bytes;
   write_record(frame, bytes);
@@ -45,7 +45,7 @@ void append(const FrameRecord& frame, const GroundTruth& truth, std::string& fil
   file.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-/// A robot that is lifted, and flips its belief when it stands again; its records, with what pictures want.
+/// The records of a robot that is lifted and flips its belief when it stands again, with the topics that pictures need.
 template <typename Watch>
 void run(Topics wanted, const Watch& watch) {
   SimulatorParameters parameters;
@@ -75,7 +75,7 @@ void run(Topics wanted, const Watch& watch) {
   }
 }
 
-/// The second process: draws what the file holds that the environment names.
+/// The second process: draws the contents of the file that the environment names.
 TEST(PicturesInAnotherProcess, DISABLED_AreDrawn) {
   const char* const file = std::getenv("REORIENT_TEST_RECORDS");
   const char* const folder = std::getenv("REORIENT_TEST_PICTURES");
@@ -89,7 +89,7 @@ TEST(PicturesInAnotherProcess, DISABLED_AreDrawn) {
     std::uint64_t size = 0;
     std::memcpy(&size, all.data() + at, sizeof size);
     const std::span<const std::byte> bytes = all.subspan(at + sizeof size, size);
-    // The truth stands behind the record.
+    // The truth follows the record.
     const std::size_t record_size = bytes.size() - size_of_truth();
     frame = read_record(bytes.first(record_size));
     ByteReader truth(bytes.subspan(record_size));
@@ -101,7 +101,7 @@ TEST(PicturesInAnotherProcess, DISABLED_AreDrawn) {
   EXPECT_EQ(pictures.write(folder), std::vector<std::string>());
 }
 
-TEST(Pictures, AreTheSameWhenAnotherProcessDrawsThemFromAFileOfRecords) {
+TEST(Pictures, AreTheSameIfAnotherProcessDrawsThemFromAFileOfRecords) {
   const TemporaryFolder folder;
   RunPictures pictures;
   std::string records;

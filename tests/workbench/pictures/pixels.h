@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests ask of a picture's pixels.
+// Functions of tests on the pixels of a picture.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline bool is_similar(const Color& a, const Color& b, int tolerance = 12) {
          std::abs(a.blue - b.blue) <= tolerance;
 }
 
-/// Pixels of that color in a part of the picture; what is outside of the picture does not count.
+/// Number of pixels with this color in a part of the picture; positions outside of the picture do not count.
 inline int count(const Picture& picture, const Color& color, int left, int top, int right, int bottom) {
   int found = 0;
   for (int y = std::max(top, 0); y < std::min(bottom, picture.height); ++y)

@@ -60,7 +60,7 @@ std::string refusal(const fs::path& file, const Picture& picture) {
   return {};
 }
 
-RC_GTEST_FIXTURE_PROP(PngFileProperty, gives_back_the_same_pixels, ()) {
+RC_GTEST_FIXTURE_PROP(PngFileProperty, RestoresTheSamePixels, ()) {
   const int width = *rc::gen::inRange(1, 40);
   const int height = *rc::gen::inRange(1, 40);
   const auto size = std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -70,14 +70,14 @@ RC_GTEST_FIXTURE_PROP(PngFileProperty, gives_back_the_same_pixels, ()) {
   RC_ASSERT(decode(folder_ / "picture.png") == picture);
 }
 
-TEST_F(PngFile, replaces_an_older_picture_and_leaves_nothing_else_behind) {
+TEST_F(PngFile, ReplacesAnOlderPictureAndLeavesNoOtherFile) {
   write_png(folder_ / "picture.png", gradient(5, 4));
   write_png(folder_ / "picture.png", gradient(9, 3));
   EXPECT_EQ(decode(folder_ / "picture.png"), gradient(9, 3));
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(PngFile, says_in_one_line_which_file_and_why_where_the_folder_does_not_exist) {
+TEST_F(PngFile, ReportsFileAndReasonInOneLineIfTheFolderDoesNotExist) {
   const std::string words = refusal(folder_ / "missing" / "picture.png", gradient(2, 2));
   EXPECT_NE(words.find("missing/picture.png"), std::string::npos) << words;
   EXPECT_NE(words.find("No such file or directory"), std::string::npos) << words;
@@ -85,15 +85,15 @@ TEST_F(PngFile, says_in_one_line_which_file_and_why_where_the_folder_does_not_ex
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(PngFile, refuses_a_folder_that_is_a_file) {
+TEST_F(PngFile, RejectsAFolderThatIsAFile) {
   std::ofstream(folder_ / "out") << "not a folder";
   const std::string words = refusal(folder_ / "out" / "picture.png", gradient(2, 2));
   EXPECT_NE(words.find("Not a directory"), std::string::npos) << words;
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(PngFile, refuses_a_folder_without_write_permission) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+TEST_F(PngFile, RejectsAFolderWithoutWritePermission) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root can write to every folder";
   fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
   const std::string words = refusal(folder_ / "picture.png", gradient(2, 2));
   fs::permissions(folder_, fs::perms::owner_all);
@@ -101,14 +101,14 @@ TEST_F(PngFile, refuses_a_folder_without_write_permission) {
   EXPECT_EQ(files(), 0);
 }
 
-TEST_F(PngFile, removes_what_it_began_where_the_name_is_taken_by_a_folder) {
+TEST_F(PngFile, RemovesItsTemporaryFileIfTheNameIsAFolder) {
   fs::create_directories(folder_ / "picture.png" / "inside");
   EXPECT_NE(refusal(folder_ / "picture.png", gradient(2, 2)), "");
   EXPECT_TRUE(fs::is_directory(folder_ / "picture.png" / "inside"));
   EXPECT_EQ(files(), 1);
 }
 
-TEST_F(PngFile, refuses_pictures_whose_bytes_do_not_match_their_size) {
+TEST_F(PngFile, RejectsPicturesWhoseBytesDoNotMatchTheirSize) {
   Picture short_of_bytes = gradient(4, 4);
   short_of_bytes.bytes.pop_back();
   for (const Picture& picture : {Picture{}, Picture{-3, -3, {}}, short_of_bytes})

@@ -19,7 +19,7 @@ RatingView a_rating() {
   return view;
 }
 
-/// Pixels of this color above and below the middle of the picture's ring.
+/// Numbers of pixels with this color above and below the middle of the picture's ring.
 std::pair<int, int> above_and_below(const Picture& picture, const Color& color) {
   int above = 0, below = 0;
   for (int y = 0; y < kRatingHeight - 160; ++y) {  // without the legend
@@ -31,7 +31,7 @@ std::pair<int, int> above_and_below(const Picture& picture, const Color& color) 
   return {above, below};
 }
 
-TEST(RatingView, ShowsOnTheLeftOfTheFieldWhatTheLeftShows) {
+TEST(RatingView, ShowsTheEvidenceOfTheLeftOnTheLeftOfTheField) {
   const Picture picture = draw_rating(a_rating());
   EXPECT_EQ(picture.width, kRatingWidth);
   EXPECT_EQ(picture.height, kRatingHeight);
@@ -43,7 +43,7 @@ TEST(RatingView, ShowsOnTheLeftOfTheFieldWhatTheLeftShows) {
   EXPECT_GT(bad_right, 1000);
 }
 
-TEST(RatingView, MarksThePlaceOfABanner) {
+TEST(RatingView, MarksThePositionOfABanner) {
   RatingView view = a_rating();
   const Picture without = draw_rating(view);
   view.banner = {from_degrees(90.0), 0.125};
@@ -52,7 +52,7 @@ TEST(RatingView, MarksThePlaceOfABanner) {
   EXPECT_GT(above_and_below(with, palette::truth).first, 500);
 }
 
-TEST(RatingView, LeavesOutWhatIsNoNumber) {
+TEST(RatingView, OmitsValuesThatAreNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinite = std::numeric_limits<double>::infinity();
   RatingView view;
   view.title = std::string(5000, 'x');

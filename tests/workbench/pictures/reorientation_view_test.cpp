@@ -11,7 +11,7 @@
 namespace reorient::pictures {
 namespace {
 
-// Of the two panels, below title and legend; the picture's own numbers.
+// The two panels, below title and legend; the same numbers as in the implementation.
 constexpr int kPanelTop = 170;
 constexpr int kMiddle = 750;
 
@@ -20,7 +20,7 @@ ReorientationSnapshot flip() {
   return {46.2, Reorientation::flip_pose, truth, reflect(truth), truth, {Pose2(-3.0, -1.0, 0.0)}, {truth}};
 }
 
-TEST(ReorientationView, shows_the_belief_jump_to_the_truth) {
+TEST(ReorientationView, ShowsTheBeliefJumpToTheTruth) {
   const Picture picture = draw_reorientation_view({}, {flip()});
   const auto believed = [&](int left, int right) {
     return count(picture, palette::belief, left, kPanelTop, right, picture.height);
@@ -32,7 +32,7 @@ TEST(ReorientationView, shows_the_belief_jump_to_the_truth) {
   EXPECT_GT(count(picture, palette::truth, 400, kPanelTop, kMiddle, picture.height), 100);
 }
 
-TEST(ReorientationView, gives_each_command_a_line) {
+TEST(ReorientationView, DrawsARowForEachCommand) {
   const int one = draw_reorientation_view({}, {flip()}).height;
   const int two = draw_reorientation_view({}, {flip(), flip()}).height;
   const int three = draw_reorientation_view({}, {flip(), flip(), flip()}).height;
@@ -40,17 +40,17 @@ TEST(ReorientationView, gives_each_command_a_line) {
   EXPECT_NEAR(three - two, two - one, 1);
 }
 
-TEST(ReorientationView, stays_of_a_size_that_can_be_looked_at) {
+TEST(ReorientationView, HasALimitedSize) {
   EXPECT_LT(draw_reorientation_view({}, std::vector<ReorientationSnapshot>(500)).height, 8000);
 }
 
-TEST(ReorientationView, draws_a_run_without_commands) {
+TEST(ReorientationView, DrawsARunWithoutCommands) {
   const Picture picture = draw_reorientation_view({}, {});
   EXPECT_EQ(picture.width, 1500);
   EXPECT_EQ(count(picture, palette::carpet), 0);
 }
 
-TEST(ReorientationView, leaves_out_poses_that_are_none) {
+TEST(ReorientationView, OmitsInvalidPoses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Pose2 none(nan, nan, nan);
   const ReorientationSnapshot empty{nan, Reorientation::purge_reflection, {}, none, none, {}, {}};

@@ -12,7 +12,7 @@
 namespace reorient::pictures {
 namespace {
 
-// Pixels of a color in the right or left half of the part inside of the legends.
+// Pixels of a color in the right or left half of the part inside the legends.
 int to_the_right(const Picture& picture, Color color) { return count(picture, color, 760, 0, 1180, 940); }
 int to_the_left(const Picture& picture, Color color) { return count(picture, color, 320, 0, 740, 940); }
 
@@ -22,7 +22,7 @@ WallTile tile(double azimuth, int row, int bin) {
   return result;
 }
 
-TEST(WorldView, draws_truth_and_belief_where_they_are) {
+TEST(WorldView, DrawsTruthAndBeliefWhereTheyAre) {
   WorldView world;
   world.truth = Pose2(3.0, 0.0, 0.0);
   world.belief = Pose2(-3.0, 0.0, kPi);
@@ -33,13 +33,13 @@ TEST(WorldView, draws_truth_and_belief_where_they_are) {
   EXPECT_EQ(to_the_right(picture, palette::belief), 0);
 }
 
-TEST(WorldView, keeps_the_truth_visible_below_a_belief_that_is_right) {
+TEST(WorldView, KeepsTheTruthVisibleBelowACorrectBelief) {
   WorldView world;
   world.truth = world.belief = Pose2(2.0, 0.0, 0.5);
   EXPECT_GT(to_the_right(draw_world_view(world), palette::truth), 30);
 }
 
-TEST(WorldView, draws_a_tile_in_its_direction_and_what_is_perceived_further_out) {
+TEST(WorldView, DrawsATileInItsDirectionAndPerceivedTilesFurtherOut) {
   const auto farthest = [](const Picture& picture, Color color) {
     double distance = 0.0;
     for (int y = 0; y < 900; ++y)
@@ -64,7 +64,7 @@ TEST(WorldView, draws_a_tile_in_its_direction_and_what_is_perceived_further_out)
   EXPECT_GT(farthest(draw_world_view(seen), scene::bin_color(kPurple)), farthest(low, scene::bin_color(kPurple)));
 }
 
-TEST(WorldView, draws_each_view_particle_in_magenta) {
+TEST(WorldView, DrawsEachViewParticleInMagenta) {
   WorldView world;
   world.view_particles = {0.0, 0.5, -0.5};
   const int three = to_the_right(draw_world_view(world), palette::view_particle);
@@ -74,7 +74,7 @@ TEST(WorldView, draws_each_view_particle_in_magenta) {
   EXPECT_GT(three, 2 * one);
 }
 
-TEST(WorldView, draws_the_cells_of_a_grid_as_bars_as_high_as_the_root_of_their_share) {
+TEST(WorldView, DrawsTheCellsOfAGridAsBarsWithTheSquareRootOfTheirFraction) {
   WorldView world;
   world.view_cells = {{-0.1, 0.1, 0.8}, {kPi - 0.1, kPi + 0.1, 0.2}};
   const Picture picture = draw_world_view(world);
@@ -83,7 +83,7 @@ TEST(WorldView, draws_the_cells_of_a_grid_as_bars_as_high_as_the_root_of_their_s
   EXPECT_NEAR(to_the_left(picture, palette::view_particle), 0.5 * greater, 0.1 * greater);
 }
 
-TEST(WorldView, marks_the_current_view_and_its_opposite) {
+TEST(WorldView, MarksTheCurrentViewAndItsOpposite) {
   WorldView world;
   world.view_azimuth = 0.0;
   const Picture picture = draw_world_view(world);
@@ -92,7 +92,7 @@ TEST(WorldView, marks_the_current_view_and_its_opposite) {
   EXPECT_LT(to_the_left(picture, {212, 222, 241}), 20);  // a few soft edges
 }
 
-TEST(WorldView, keeps_tiles_clear_of_title_and_legends) {
+TEST(WorldView, KeepsTilesClearOfTitleAndLegends) {
   WorldView world;
   world.note = std::string(500, 'w');
   world.truth = world.belief = Pose2();
@@ -104,7 +104,7 @@ TEST(WorldView, keeps_tiles_clear_of_title_and_legends) {
   for (int row = 0; row < 3; ++row)
     for (int i = 0; i < 32; ++i) world.perceived.push_back(tile(i * kPi / 16.0, row, 0));
   const Picture with = draw_world_view(world);
-  int overlaps = 0;  // pixels that the tiles changed though something stood there
+  int overlaps = 0;  // pixels of title or legends that the tiles changed
   for (int y = 0; y < with.height; ++y)
     for (int x = 0; x < with.width; ++x)
       if (std::hypot(x - 750.0, y - 600.0) > 480.0 && without.at(x, y) != palette::page)
@@ -112,14 +112,14 @@ TEST(WorldView, keeps_tiles_clear_of_title_and_legends) {
   EXPECT_EQ(overlaps, 0);
 }
 
-TEST(WorldView, draws_a_world_of_which_nothing_is_known) {
+TEST(WorldView, DrawsAnUnknownWorld) {
   const Picture picture = draw_world_view({});
   EXPECT_EQ(picture.width, 1500);
   EXPECT_GT(count(picture, palette::carpet), 10000);
   EXPECT_EQ(count(picture, palette::truth) + count(picture, palette::belief), 0);
 }
 
-TEST(WorldView, leaves_out_what_is_not_a_number) {
+TEST(WorldView, OmitsValuesThatAreNotFinite) {
   WorldView world;
   WorldView without;
   world.truth = without.truth = Pose2(2.0, 1.0, 0.0);
@@ -141,7 +141,7 @@ TEST(WorldView, leaves_out_what_is_not_a_number) {
   world.view_clusters.push_back({kNaN, 0.1});
   world.view_clusters.push_back({0.1, kNaN});
   world.belief = Pose2(kNaN, kNaN, kNaN);
-  // Its entry in the legend is all that a belief which is no pose adds.
+  // An invalid belief adds only its entry in the legend.
   const Picture picture = draw_world_view(world);
   const Picture expected = draw_world_view(without);
   int different = 0;

@@ -16,16 +16,16 @@ constexpr int kImageWidth = 1280;
 constexpr double kLegend = 84.0;
 constexpr double kCaption = 28.0;
 
-// From the image's pixels to the canvas.
+// Transformation from pixels of the image to the canvas.
 struct ImageScale {
   double scale = 1.0;
-  double mark = 1.0;  // size of marks, compared with those in a picture of kImageWidth
+  double mark = 1.0;  // size of marks, relative to a picture of kImageWidth
   double image_width = kImageWidth;
   Pixel operator()(const Eigen::Vector2d& pixel) const { return (pixel + Pixel(0.5, 0.5)) * scale; }
   Brush brush() const { return {.scale = mark * kImageWidth / image_width, .mark = mark, .shadows = true}; }
 };
 
-/// The first shape and circle of a layer, or its own symbol, at most 30 x 18 pixels.
+/// The symbol of a layer, or else its first shape and circle, at most 30 x 18 pixels.
 LegendEntry entry_of(const scene::OverlayLayer& layer, Brush brush) {
   scene::OverlayLayer symbol;
   if (!layer.symbol.empty()) {

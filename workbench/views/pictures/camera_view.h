@@ -16,11 +16,11 @@ struct CameraView {
   scene::Overlay overlay;
 };
 
-/// 1280 pixels wide, whatever the image's size, with the legend below the image. `caption`: in a line below the legend;
-/// empty: the time beside it instead.
+/// A picture 1280 pixels wide, independent of the image's size, with the legend below the image. `caption`: text below
+/// the legend; empty: the time next to the legend instead.
 Picture draw_camera_view(const CameraView& camera, const std::string& caption = {});
 
-/// The same without a legend, `width` pixels wide, with marks as small as the picture.
+/// The same without a legend, `width` pixels wide, with marks scaled like the picture.
 Picture draw_camera_thumbnail(const CameraView& camera, int width);
 
 }  // namespace reorient::pictures

@@ -14,13 +14,13 @@ namespace reorient::pictures {
 namespace {
 
 constexpr int kPlotWidth = 1500;
-constexpr double kLeft = 196.0;  // room for the lanes' names
+constexpr double kLeft = 196.0;  // space for the names of the lanes
 constexpr double kRight = kPlotWidth - 36.0;
-constexpr double kTop = 176.0;     // below title, legend and the commands' names
+constexpr double kTop = 176.0;     // below title, legend and names of commands
 constexpr double kCurves = 400.0;  // height
 constexpr double kLane = 28.0;
 constexpr int kLabelLanes = 2;
-constexpr double kRefusedApart = 5.0;  // pixels: refusals frame after frame are drawn as one
+constexpr double kRefusedApart = 5.0;  // pixels; refusals in successive frames are drawn as one
 
 struct LaneStyle {
   const char* name;
@@ -35,9 +35,9 @@ LaneStyle lane_style(RunCondition condition) {
     case RunCondition::evaluation_paused:
       return {"evaluation paused", palette::cluster, false};
     case RunCondition::belief_reflected:
-      return {"belief reflected", palette::opposite, false};
+      return {"belief mirrored", palette::opposite, false};
     case RunCondition::lifted:
-      return {"carried", {126, 87, 194}, true};
+      return {"lifted", {126, 87, 194}, true};
     case RunCondition::down:
       return {"fallen", {230, 126, 34}, true};
   }
@@ -56,7 +56,7 @@ TimeAxis time_axis(const ConfidencePlot& plot) {
   double first = std::numeric_limits<double>::infinity();
   double last = -first;
   const auto include = [&](double time) {
-    if (!(std::abs(time) < 1e9)) return;  // nor NaN
+    if (!(std::abs(time) < 1e9)) return;  // excludes NaN, too
     first = std::min(first, time);
     last = std::max(last, time);
   };
@@ -72,7 +72,7 @@ TimeAxis time_axis(const ConfidencePlot& plot) {
   return {first, std::max(last, first + 1.0)};
 }
 
-// 1, 2 or 5 times a power of ten: at most `most` ticks.
+// A step of 1, 2 or 5 times a power of ten, with at most `most` ticks.
 double tick_step(double range, int most) {
   double step = std::pow(10.0, std::floor(std::log10(range / most)));
   for (const double factor : {2.0, 2.5, 2.0}) {
@@ -108,7 +108,7 @@ void draw_axes(Canvas& canvas, const TimeAxis& axis, double bottom) {
   canvas.text({kLeft - 10.0, kTop - 24.0}, "confidence", {.size = 20.0, .align = Align::right});
 }
 
-/// The box between two times, or nothing where they do not overlap with the axis.
+/// The box between two times; empty if they do not overlap with the axis.
 std::optional<Box> box_between(const TimeAxis& axis, const ConditionInterval& interval, double top, double height) {
   if (!(interval.to > interval.from) || interval.to < axis.first || interval.from > axis.last) return std::nullopt;
   const double left = axis.x(std::max(interval.from, axis.first));
@@ -189,7 +189,7 @@ void draw_commands(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& p
       line_top = baseline + 6.0;
       break;
     }
-    // A label in the upper lane leaves its line to those below it.
+    // A label in the upper lane leaves the line of the lower lane free.
     const Pixel top(x, std::max(line_top, kTop - 6.0));
     if (mark.granted) {
       canvas.line(top, {x, bottom}, palette::ink, 2.0);
@@ -233,7 +233,7 @@ Picture draw_confidence_plot(const ConfidencePlot& plot) {
   const double bottom = kTop + kCurves + lanes_height;
   Canvas canvas(kPlotWidth, static_cast<int>(bottom + 76.0));
 
-  canvas.text({36.0, 54.0}, "Confidence in the believed pose and in its reflection", {.size = 28.0, .bold = true});
+  canvas.text({36.0, 54.0}, "Confidence in the believed pose and in the mirrored pose", {.size = 28.0, .bold = true});
   draw_legend_rows(canvas, {32.0, 74.0, kPlotWidth - 64.0, 34.0}, entries(plot));
   draw_axes(canvas, axis, bottom);
   shade_curves(canvas, axis, plot);

@@ -16,8 +16,8 @@ struct CommandMark {
   bool granted = true;  ///< false: refused, drawn dashed
 };
 
-/// All in the order of time. Conditions get a lane each below the curves; while the robot is lifted or down, the
-/// curves' ground is shaded as well.
+/// All in the order of time. Each condition has a lane below the curves. While the robot is lifted or fallen, the
+/// background of the curves is shaded, too.
 struct ConfidencePlot {
   std::vector<ConfidencePoint> samples;  ///< in [0, 1]; a confidence that is not finite leaves a gap
   std::vector<CommandMark> commands;

@@ -9,7 +9,7 @@
 namespace reorient::pictures {
 
 Picture draw_contact_sheet(std::span<const Thumbnail> thumbnails, int columns, int width, const std::string& title) {
-  constexpr double kTitle = 34.0, kCaption = 20.0, kGap = 6.0, kTallest = 0.8;  // of the width
+  constexpr double kTitle = 34.0, kCaption = 20.0, kGap = 6.0, kTallest = 0.8;  // fraction of the width
   const double cell_width = width + kGap;
   double tallest = 8.0;
   for (const Thumbnail& thumbnail : thumbnails)

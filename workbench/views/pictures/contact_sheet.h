@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many small pictures in one, with a line of text below each.
+// Many small pictures in one picture, with a line of text below each.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct Thumbnail {
   std::string caption;
 };
 
-/// Rows of `columns` thumbnails from left to right, each `width` pixels wide; higher ones are made smaller.
+/// Rows of `columns` thumbnails from left to right, each `width` pixels wide; taller ones are scaled down.
 Picture draw_contact_sheet(std::span<const Thumbnail> thumbnails, int columns, int width, const std::string& title);
 
 }  // namespace reorient::pictures

@@ -18,7 +18,7 @@ namespace {
 constexpr double kRatedField = 190.0;
 constexpr double kKnownInner = 200.0;
 constexpr double kKnownOuter = 214.0;
-constexpr double kBarFoot = 250.0;  // of the bars
+constexpr double kBarFoot = 250.0;  // base of the bars
 constexpr double kLongestBar = 130.0;
 constexpr double kBannerInner = 386.0;
 constexpr double kBannerOuter = 402.0;
@@ -34,7 +34,7 @@ Pixel ring_point(const Pixel& center, double radius, double azimuth) {
   return center + radius * Pixel(std::cos(azimuth), -std::sin(azimuth));
 }
 
-/// 1, 2 or 5 times a power of ten, at least as much as all sectors show.
+/// The full scale: 1, 2 or 5 times a power of ten, at least the largest value of the sectors.
 double full_scale(const RatingView& rating) {
   double most = 0.1;
   for (const RatedSector& sector : rating.sectors)
@@ -114,7 +114,7 @@ Picture draw_rating(const RatingView& rating) {
     line += 26.0;
   }
   std::vector<LegendEntry> entries{patch_entry(palette::belief, "evidence for the right pose, log-odds"),
-                                   patch_entry(palette::opposite, "against it"),
+                                   patch_entry(palette::opposite, "against the right pose"),
                                    patch_entry(palette::cluster, "learned")};
   if (rating.banner) entries.push_back(patch_entry(palette::truth, "best banner"));
   draw_legend_column(canvas, {30.0, kRatingHeight - 24.0 - 30.0 * static_cast<double>(entries.size())}, entries);

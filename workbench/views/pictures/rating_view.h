@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much each direction of a room shows of the pose, as a ring around the field.
+// The evidence for the pose in each direction of a room, as a ring around the field.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace reorient::pictures {
 
-/// One column of the wall. Azimuths are seen from the field's center: rad, 0 toward +x, turning left.
+/// One column of the wall. Azimuths are seen from the field's center, in rad: 0 toward +x, counterclockwise.
 struct RatedSector {
   double from = 0.0;      ///< its right side
   double to = 0.0;        ///< its left side, greater than `from`
@@ -19,7 +19,7 @@ struct RatedSector {
   double known = 1.0;     ///< fraction of the column that is learned
 };
 
-/// A place for a banner.
+/// A position for a banner.
 struct RatedBanner {
   double azimuth = 0.0;     ///< rad
   double half_width = 0.0;  ///< rad

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a frame's record to what is drawn of it.
+// Converts the record of a frame to the data of pictures.
 #pragma once
 
 #include "workbench/run/observer.h"
@@ -8,14 +8,14 @@
 
 namespace reorient::pictures {
 
-/// Needs the topics pose_particles and room. In a frame with a reorientation: just before it.
+/// Needs the topics pose_particles and room. In a frame with a reorientation, shows the state just before it.
 WorldView world_view_of(const FrameRecord& frame, const SceneTruth& scene);
 
-/// What is known of a room, without a robot in it.
+/// The background model of a room, without a robot.
 WorldView world_view_of(const RoomRecord& room, const FieldDimensions& field);
 
-/// Of the upper camera, or the lower one where there is no other. Needs the topics images and room; the view is valid
-/// as long as the record's image.
+/// The view of the upper camera, or else of the lower one. Needs the topics images and room. The view is valid as long
+/// as the record's image.
 CameraView camera_view_of(const FrameRecord& frame);
 
 }  // namespace reorient::pictures

@@ -27,7 +27,7 @@ double panel_height(const FieldDimensions& field) {
   return std::isfinite(ratio) ? std::clamp(kPanelWidth * ratio, 200.0, 900.0) : 480.0;
 }
 
-// How far the belief is from the truth, where the truth is known.
+// Distance of the belief from the truth, if the truth is known.
 std::string error_of(const std::optional<Pose2>& truth, const Pose2& belief) {
   if (!truth) return {};
   const double distance = (truth->position - belief.position).norm();

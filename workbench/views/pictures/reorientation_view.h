@@ -10,7 +10,7 @@
 
 namespace reorient::pictures {
 
-/// One line of two panels a command, the first ten of them.
+/// One row of two panels for each of the first ten commands.
 Picture draw_reorientation_view(const FieldDimensions& field, const std::vector<ReorientationSnapshot>& reorientations);
 
 }  // namespace reorient::pictures

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pictures of a run, as the paper's Figures 4 and 6, drawn from its records alone.
+// The pictures of a run, as in the paper's Figures 4 and 6, drawn from its records only.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 
 namespace reorient {
 
-/// Of which moment world and camera are drawn.
+/// The moment of which world and camera are drawn.
 enum class PicturedMoment {
-  first_reorientation,  ///< that a run is about, or else the last frame
+  first_reorientation,  ///< the first reorientation, or else the last frame
   last_frame
 };
 
@@ -26,8 +26,8 @@ class RunPictures : public Observer {
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
   void finish(const FrameRecord& last, const SceneTruth& scene) override;
 
-  /// Writes world_view, camera_view, confidences and reorientations (.png) into `folder`. Each picture is tried;
-  /// returned is one line for each that could not be written.
+  /// Writes world_view, camera_view, confidences and reorientations (.png) into `folder`. Returns one line for each
+  /// picture that could not be written.
   std::vector<std::string> write(const std::filesystem::path& folder) const;
 
  private:

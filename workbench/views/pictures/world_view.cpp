@@ -17,7 +17,7 @@ namespace {
 constexpr int kWorldWidth = 1500;
 constexpr int kHeight = 1200;
 constexpr int kRows = 6;
-constexpr double kFullRing = 0.5;  // of the pixels: such a bar is as high as its ring
+constexpr double kFullRing = 0.5;  // fraction of the pixels whose bar is as high as its ring
 
 // Radii in pixels, from the inside out.
 constexpr double kFieldRadius = 268.0;
@@ -29,7 +29,7 @@ constexpr double kViewOuter = 328.0;
 constexpr double kModelInner = 332.0;
 constexpr double kModelDepth = 140.0;
 constexpr double kPerceivedInner = 480.0;
-constexpr double kBelow = 0.3;  // of a ring's depth, for the deviations
+constexpr double kBelow = 0.3;  // fraction of a ring's depth that is for the deviations
 
 bool drawable(const WallTile& tile) {
   const double width = tile.to - tile.from;
@@ -104,7 +104,7 @@ void draw_view_sector(Canvas& canvas, const Pixel& center, double azimuth, doubl
   canvas.polyline(sector, color.with_opacity(0.85), 1.5, true);
 }
 
-// The sectors whose particles are counted (the paper's Section 3.4), and the view from the robot to the wall.
+// The sectors whose particles count (the paper's Section 3.4), and the view from the robot to the wall.
 void draw_sectors(Canvas& canvas, const FieldView& view, const WorldView& world) {
   if (world.goal_area_half_width > 0.0) {
     for (const double middle : {0.0, kPi}) {
@@ -143,14 +143,14 @@ void draw_view_particles(Canvas& canvas, const Pixel& center, const WorldView& w
     const Pixel middle = center + kParticles * Pixel(std::cos(cluster.azimuth), -std::sin(cluster.azimuth));
     if (along < 70.0) {
       canvas.ellipse(middle, {along, 19.0}, cluster.azimuth + kPi / 2.0, palette::cluster, 3.0);
-    } else {  // an ellipse would leave the ring
+    } else {  // an ellipse would extend beyond the ring
       const double half = along / kParticles;
       canvas.polyline(
           ring_sector(center, kParticles - 19.0, kParticles + 19.0, cluster.azimuth - half, cluster.azimuth + half),
           palette::cluster, 3.0, true);
     }
   }
-  // Particles differ in azimuth alone; spread over the ring's depth by the golden ratio, they stay countable.
+  // Particles differ only in azimuth. Spreading them over the ring's depth by the golden ratio keeps them countable.
   double depth = 0.5;
   for (const double azimuth : world.view_particles) {
     depth = std::fmod(depth + 0.6180339887498949, 1.0);
@@ -184,11 +184,11 @@ void draw_chart_legend(Canvas& canvas, bool any_perceived) {
   draw_bin_legend(canvas, {left, top + 18.0});
   const TextStyle small{.size = 16.0, .color = palette::faint_ink};
   char words[64];
-  std::snprintf(words, sizeof words, "share outward, full %.0f %%", 100.0 * kFullRing);
+  std::snprintf(words, sizeof words, "fraction outward, full %.0f %%", 100.0 * kFullRing);
   canvas.text({left, top + 138.0}, words, small);
   std::snprintf(words, sizeof words, "deviation inward, full %.1f %%", 25.0 * kFullRing);
   canvas.text({left, top + 160.0}, words, small);
-  if (any_perceived) canvas.text({left, top + 182.0}, "outside of the wall: seen now", small);
+  if (any_perceived) canvas.text({left, top + 182.0}, "outer ring: current image", small);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace reorient::pictures {
 
-/// A tile of the wall around the field. Azimuths are seen from the field's center: rad, 0 towards +x, turning left.
+/// A tile of the wall around the field. Azimuths are seen from the field's center: rad, 0 toward +x, counterclockwise.
 struct WallTile {
   double from = 0.0;  ///< its right side
   double to = 0.0;    ///< its left side, greater than `from`
@@ -25,21 +25,21 @@ struct WallTile {
 struct ViewCell {
   double from = 0.0;   ///< its right side, rad
   double to = 0.0;     ///< its left side, greater than `from`
-  double share = 0.0;  ///< of the belief, in [0, 1]
+  double share = 0.0;  ///< fraction of the belief, in [0, 1]
 };
 
-/// View particles, or cells, that agree.
+/// A cluster of view particles or cells.
 struct ViewCluster {
   double azimuth = 0.0;  ///< rad
   double spread = 0.0;   ///< rad, standard deviation
 };
 
-/// All in the field frame. What is empty is not drawn.
+/// All in the field frame. Empty members are not drawn.
 struct WorldView {
   FieldDimensions field;
   std::string title = "The robot's view of its world";
   std::optional<double> time;  ///< s
-  std::string note;            ///< one more line below the title
+  std::string note;            ///< additional line below the title
   std::optional<Pose2> truth;
   std::optional<Pose2> belief;
   std::vector<Pose2> pose_particles;
@@ -47,14 +47,14 @@ struct WorldView {
   double wall_radius = 8.0;            ///< m
   std::vector<WallTile> model;         ///< trained tiles
   std::vector<WallTile> untrained;     ///< drawn as empty plates
-  std::vector<WallTile> perceived;     ///< of this frame, without deviations
+  std::vector<WallTile> perceived;     ///< tiles of this frame, without deviations
   std::vector<double> view_particles;  ///< azimuths, rad
-  std::vector<ViewCell> view_cells;    ///< drawn as bars; the root of a share is the bar's, of the ring
+  std::vector<ViewCell> view_cells;    ///< drawn as bars; height: square root of the share, relative to the ring
   std::vector<ViewCluster> view_clusters;
   std::optional<double>
-      view_azimuth;  ///< rad, where on the wall the believed pose looks; its opposite is half a turn on
-  double view_half_width = 0.5235987755982988;       ///< rad, of the sectors that count for the confidences
-  double goal_area_half_width = 0.2181661564992912;  ///< rad, of the areas behind the goals; 0: not drawn
+      view_azimuth;  ///< rad, where on the wall the believed pose looks; the opposite view is rotated by 180 degrees
+  double view_half_width = 0.5235987755982988;       ///< rad, half width of the sectors that count for the confidences
+  double goal_area_half_width = 0.2181661564992912;  ///< rad, half width of the areas behind the goals; 0: not drawn
 };
 
 Picture draw_world_view(const WorldView& world);

@@ -20,7 +20,7 @@ constexpr double kFullBar = 0.6;  // fraction of the pixels whose bar is as high
 
 double mark_size(const CameraModel& camera) { return camera.width / kMarksWidth; }
 
-/// Appends a point; one between two others on a straight line is dropped, as a pinhole needs few of them.
+/// Appends a point, and drops a point between two others on a straight line, because a pinhole camera needs few points.
 void append(const Vector2d& pixel, std::vector<Vector2d>& line) {
   constexpr double kStraight = 0.02;  // pixels
   if (line.size() > 1) {
@@ -30,7 +30,7 @@ void append(const Vector2d& pixel, std::vector<Vector2d>& line) {
   line.push_back(pixel);
 }
 
-/// Points of the field seen through the camera; pieces behind it or far outside of the image are left out.
+/// Projects lines of the field into the image. Pieces behind the camera or far outside of the image are omitted.
 class Projection {
  public:
   Projection(const CameraModel& camera, const Isometry3& world_from_camera)
@@ -43,12 +43,12 @@ class Projection {
     return is_near ? projected : std::nullopt;
   }
 
-  /// One polyline for each run of visible points on the way through `points`.
+  /// One polyline for each visible section of the line through `points`.
   void add_polylines(const std::vector<Vector3d>& points, Polylines& lines) const {
     bool running = false;
     const auto add = [&](const Vector3d& point) {
       const auto projected = pixel(point);
-      // What leaves an equirectangular image on one side comes back on the other one.
+      // A line that leaves an equirectangular image on one side continues on the other side.
       const bool wraps = running && projected && camera_.projection == CameraProjection::equirectangular &&
                          std::abs(projected->x() - lines.back().back().x()) > kPi * camera_.focal.x();
       if (projected && (!running || wraps)) lines.emplace_back();
@@ -69,7 +69,7 @@ class Projection {
   Isometry3 camera_from_world_;
 };
 
-/// A chart on a light plate in the middle of the visible part of a tile.
+/// Draws a chart on a light plate in the middle of the visible part of a tile.
 void add_chart(const std::vector<Vector2d>& outline, const ColorHistogram& histogram, const CameraModel& camera,
                OverlayLayer& layer) {
   const double mark = mark_size(camera);
@@ -82,7 +82,7 @@ void add_chart(const std::vector<Vector2d>& outline, const ColorHistogram& histo
   low = low.cwiseMax(first);
   high = high.cwiseMin(last);
   const Vector2d size = high - low;
-  if (size.x() < 34.0 * mark || size.y() < 26.0 * mark) return;  // too small for a chart that can be read
+  if (size.x() < 34.0 * mark || size.y() < 26.0 * mark) return;  // too small for a readable chart
   const double width = std::min(0.72 * size.x(), 130.0 * mark);
   const Vector2d half(width / 2.0, std::min({0.6 * size.y(), 0.6 * width, 70.0 * mark}) / 2.0);
   const Vector2d middle = (low + high) / 2.0, margin = Vector2d::Constant(4.0 * mark);
@@ -96,7 +96,7 @@ void add_chart(const std::vector<Vector2d>& outline, const ColorHistogram& histo
                 layer.shapes);
 }
 
-/// A tile with any histogram.
+/// Symbol of a tile, with an arbitrary histogram.
 std::vector<Shape<Vector2d>> tile_symbol() {
   std::vector<Shape<Vector2d>> symbol{
       {{{-15.0, -9.0}, {15.0, -9.0}, {15.0, 9.0}, {-15.0, 9.0}}, palette::faint_ink, 1.0, true, palette::plate}};
@@ -105,7 +105,7 @@ std::vector<Shape<Vector2d>> tile_symbol() {
   return symbol;
 }
 
-/// A viewpoint has no height: it is drawn where its azimuth crosses the middle row of the camera.
+/// A view particle has no height, so it is drawn where its azimuth crosses the middle row of the camera.
 OverlayLayer view_belief(const RoomRecord& room, const CameraModel& camera, const Isometry3& field_from_camera) {
   const double mark = mark_size(camera);
   const Projection projection(camera, field_from_camera);

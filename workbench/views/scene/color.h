@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The colors of all views. One thing has one color everywhere: blue is what the robot believes, red is the mirrored
-// pose, amber is the truth, magenta is the belief of the view filter.
+// The colors of all views, with the same meaning everywhere: blue is the believed pose, red is the mirrored pose, amber
+// is the truth, magenta is the belief of the view filter.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ struct Color {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
   std::uint8_t blue = 0;
-  double opacity = 1.0;  ///< 0: invisible, 1: covers what is beneath
+  double opacity = 1.0;  ///< 0: invisible, 1: opaque
 
   constexpr Color with_opacity(double new_opacity) const { return {red, green, blue, new_opacity}; }
   bool operator==(const Color&) const = default;
 };
 
-/// From the camera's YCbCr, full-range BT.601 as in JPEG; levels beyond a byte are clamped.
+/// Converts the camera's YCbCr (full-range BT.601 as in JPEG). Levels beyond a byte are clamped.
 Color to_color(double luma, double cb, double cr);
 
 namespace palette {
@@ -27,7 +27,7 @@ inline constexpr Color page{251, 251, 249};
 inline constexpr Color ink{36, 42, 51};
 inline constexpr Color faint_ink{112, 120, 131};
 inline constexpr Color grid{226, 229, 232};
-inline constexpr Color plate{207, 212, 218};  ///< behind histograms: black and white both stand out
+inline constexpr Color plate{207, 212, 218};  ///< behind histograms; black and white are both visible on it
 inline constexpr Color empty_plate{236, 238, 240};
 
 inline constexpr Color carpet{104, 156, 104};
@@ -45,13 +45,13 @@ inline constexpr Color cluster{120, 126, 134};
 inline constexpr Color goal_area{0, 150, 136};
 inline constexpr Color unknown_tile{128, 128, 128, 0.15};
 
-inline constexpr Color percept{0, 214, 255};  ///< what was found in the image
+inline constexpr Color percept{0, 214, 255};  ///< detections in the image
 inline constexpr Color landmark{90, 240, 255};
 inline constexpr Color ball{255, 140, 0};
 inline constexpr Color obstacle{255, 96, 32};
 inline constexpr Color boundary{255, 225, 40};
 inline constexpr Color horizon{190, 120, 255};
-inline constexpr Color expected{255, 64, 64, 0.9};  ///< what the believed pose predicts in the image
+inline constexpr Color expected{255, 64, 64, 0.9};  ///< prediction of the believed pose in the image
 inline constexpr Color tile_outline{255, 255, 255, 0.9};
 
 }  // namespace palette

@@ -79,7 +79,7 @@ Scene field_scene(const FieldDimensions& field) {
 Scene wall_scene(const RoomRecord& room) {
   const Wall wall(room.basis.wall);
   SceneLayer tiles{"wall tiles"};
-  const Light shown;  // a room as bright as this
+  const Light shown;  // the light in which the room is shown
   for (int tile = 0; tile < std::min(wall.tiles(), static_cast<int>(room.model.size())); ++tile) {
     const TileModel& model = room.model[static_cast<std::size_t>(tile)];
     const auto corners = wall.corners(tile);

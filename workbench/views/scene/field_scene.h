@@ -22,17 +22,18 @@ Scene field_scene(const FieldDimensions& field);
 /// The tiles of the wall in their mean colors, and the belief of the view as rods on the ground. Field frame.
 Scene wall_scene(const RoomRecord& room);
 
-/// What both cameras found on the ground. Robot frame.
+/// The detections of both cameras on the ground. Robot frame.
 Scene percept_scene(std::span<const FieldPercept> percepts);
 
-/// Field frame. The symbol of the truth is larger than that of the belief, so that it shows below a correct belief.
+/// Field frame. The symbol of the truth is larger than that of the belief, so that it is visible below a correct
+/// belief.
 std::vector<PoseLayer> pose_layers(const std::vector<Pose2>& particles, const std::optional<Pose2>& truth,
                                    const std::optional<Pose2>& belief);
 
-/// "corner", "L", "T" or "X".
+/// The text "corner", "L", "T" or "X".
 inline const char* name_of(const Intersection& one) { return one.corner_arc ? "corner" : reorient::name_of(one.kind); }
 
-/// The belief with which the room was observed: that before the frame's reorientation, if it had one.
+/// The belief at the observation of the room, which is before the frame's reorientation, if any.
 const Pose2& observing_belief(const FrameRecord& frame);
 
 }  // namespace reorient::scene

@@ -26,7 +26,7 @@ Color bin_color(int bin) {
 
 void add_histogram(const HistogramBars& bars, const ChartPlace& place, double full_share, double line_thickness,
                    std::vector<Shape<Eigen::Vector2d>>& shapes) {
-  constexpr double kGap = 0.1;  // between two bars, of a bin's width
+  constexpr double kGap = 0.1;  // between two bars, as a fraction of a bin's width
   for (int bin = 0; bin < kHistogramBins; ++bin) {
     const auto add_bar = [&](double end) {
       const double from = (bin + kGap / 2.0) / kHistogramBins, to = (bin + 1.0 - kGap / 2.0) / kHistogramBins;
@@ -39,7 +39,7 @@ void add_histogram(const HistogramBars& bars, const ChartPlace& place, double fu
     if (up > 0.0) add_bar(up);  // false for NaN
     if (down > 0.0) add_bar(-down);
   }
-  Shape<Eigen::Vector2d> base{.color = palette::faint_ink, .thickness = line_thickness};  // may be bent
+  Shape<Eigen::Vector2d> base{.color = palette::faint_ink, .thickness = line_thickness};  // the base may be curved
   for (int bin = 0; bin <= kHistogramBins; ++bin)
     base.points.push_back(place(static_cast<double>(bin) / kHistogramBins, 0.0));
   shapes.push_back(std::move(base));

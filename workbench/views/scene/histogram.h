@@ -14,23 +14,24 @@ namespace reorient::scene {
 inline constexpr int kHistogramBins = 14;
 
 struct HistogramBars {
-  std::array<float, kHistogramBins> share{};      ///< in [0, 1], of the pixels
-  std::array<float, kHistogramBins> deviation{};  ///< of that share: the square root of Eq. (2); 0 where unknown
+  std::array<float, kHistogramBins> share{};  ///< fraction of the pixels in [0, 1]
+  std::array<float, kHistogramBins>
+      deviation{};  ///< standard deviation of that fraction, the square root of Eq. (2); 0 if unknown
 };
 
-/// The color that stands for a bin: the middle of its part of the YCbCr space.
+/// The color that represents a bin: the middle of its part of the YCbCr space.
 Color bin_color(int bin);
 
 /// Position of a point of the chart: `along` the bins from 0 to 1, `up` from -1 (deepest bar) over 0 (base) to 1
 /// (highest).
 using ChartPlace = std::function<Eigen::Vector2d(double along, double up)>;
 
-/// Appends the bars and their base line. A share of `full_share` or more fills the height; a quarter of it as deviation
-/// fills the depth.
+/// Appends the bars and their base line. A fraction of `full_share` or more fills the height; a deviation of a quarter
+/// of it fills the depth.
 void add_histogram(const HistogramBars& bars, const ChartPlace& place, double full_share, double line_thickness,
                    std::vector<Shape<Eigen::Vector2d>>& shapes);
 
-/// Upright between two corners of an image, with `below` of its height for the deviations.
+/// An upright chart between two corners in an image. The fraction `below` of its height is for the deviations.
 ChartPlace upright_chart(const Eigen::Vector2d& top_left, const Eigen::Vector2d& bottom_right, double below = 0.0);
 
 }  // namespace reorient::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a view draws, as plain values. A scene is in meters, x right, y up as seen from above, z towards the eye; an
-// overlay is in pixels of a camera's image, u right, v down, (0, 0) the center of the top left pixel.
+// The contents of a view as plain values. A scene is in meters, x right, y up as seen from above, z toward the viewer.
+// An overlay is in pixels of a camera's image, u right, v down, (0, 0) the center of the top left pixel.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ namespace reorient::scene {
 template <typename Point>
 struct Shape {
   std::vector<Point> points = {};
-  Color color = {};        ///< of the line
-  double thickness = 0.0;  ///< of the line; 0: no line
+  Color color = {};        ///< color of the line
+  double thickness = 0.0;  ///< thickness of the line; 0: no line
   bool closed = false;
   Color fill = {0, 0, 0, 0.0};
-  bool dashed = false;  ///< for views that can draw it
+  bool dashed = false;  ///< ignored by views that cannot draw dashes
 };
 
 template <typename Point>
@@ -30,10 +30,10 @@ struct Circle {
   double radius = 0.0;
   Color color = {};
   double ring = 0.0;    ///< thickness of the ring; 0: the circle is filled
-  double height = 0.0;  ///< of the cylinder above the circle, in a scene
+  double height = 0.0;  ///< height of the cylinder above the circle, in a scene
 };
 
-/// Written to the right of a position.
+/// A text to the right of a position.
 template <typename Point>
 struct Label {
   Point position = Point::Zero();
@@ -42,14 +42,14 @@ struct Label {
   Color color = {};
 };
 
-/// Things of one meaning. In the order of drawing: shapes, circles, labels.
+/// Objects of the same meaning. They are drawn in the order shapes, circles, labels.
 template <typename Point>
 struct Layer {
-  std::string meaning = {};  ///< for a legend
+  std::string meaning = {};  ///< text of the legend
   std::vector<Shape<Point>> shapes = {};
   std::vector<Circle<Point>> circles = {};
   std::vector<Label<Point>> labels = {};
-  /// For a legend, within 30 by 18 units around the origin; empty: the first shape and circle stand for the layer.
+  /// Symbol of the legend, within 30 by 18 units around the origin; empty: the first shape and circle of the layer.
   std::vector<Shape<Point>> symbol = {};
 
   bool empty() const { return shapes.empty() && circles.empty() && labels.empty(); }
@@ -58,17 +58,17 @@ struct Layer {
 using SceneLayer = Layer<Eigen::Vector3d>;
 using OverlayLayer = Layer<Eigen::Vector2d>;
 
-/// In the order of drawing.
+/// Layers in the order of drawing.
 using Scene = std::vector<SceneLayer>;
 using Overlay = std::vector<OverlayLayer>;
 
-/// Poses of one meaning, drawn by symbols that are not to scale.
+/// Poses of the same meaning, drawn as symbols that are not to scale.
 struct PoseLayer {
   std::string meaning;
   std::vector<Pose2> poses;
   Color color;
-  double radius = 0.0;    ///< of the symbol, pixels
-  bool is_robot = false;  ///< a robot that looks ahead; false: a particle
+  double radius = 0.0;    ///< radius of the symbol, pixels
+  bool is_robot = false;  ///< true: a robot with its viewing direction; false: a particle
 };
 
 }  // namespace reorient::scene

@@ -13,8 +13,8 @@ namespace {
 constexpr int kOversampling = 2;
 constexpr int kFractionBits = 4;  // of OpenCV's fixed-point coordinates
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kFontHeight = 30.0;  // of that font at scale 1, in our measure of size
-constexpr double kFarAway = 20000.0;  // pixels; polygons' corners beyond it are pulled in
+constexpr double kFontHeight = 30.0;  // of that font at scale 1, in the unit of TextStyle::size
+constexpr double kFarAway = 20000.0;  // pixels; corners of polygons beyond it are clamped
 
 bool finite(const Pixel& point) { return point.allFinite(); }
 
@@ -24,7 +24,7 @@ int surface_thickness(double thickness) {
   return std::clamp(static_cast<int>(std::lround(thickness * kOversampling)), 1, 200);
 }
 
-// OpenCV's (0, 0) is the center of the first pixel, ours its corner.
+// (0, 0) is the center of the first pixel in OpenCV, and its corner here.
 cv::Point fixed_point(const Pixel& point, cv::Point origin) {
   const auto convert = [](double value, int start) {
     const double near = std::clamp(value, -kFarAway, kFarAway);
@@ -53,7 +53,7 @@ cv::Rect surface_rectangle(const Box& box) {
   return {left, top, std::max(0, round(box.right()) - left), std::max(0, round(box.bottom()) - top)};
 }
 
-// Liang and Barsky: the part of a segment inside of [-margin, size + margin].
+// Liang-Barsky: clips a segment to [-margin, size + margin].
 bool clip_segment(Pixel& from, Pixel& to, const Pixel& size, double margin) {
   const Pixel step = to - from;
   double enter = 0.0;
@@ -228,7 +228,7 @@ void Canvas::image(const Picture& picture, const Box& box) {
   const cv::Rect area = surface_rectangle(box);
   const cv::Rect visible = area & clip_;
   if (picture.width <= 0 || picture.height <= 0 || visible.empty() || area.area() > 100'000'000) return;
-  // OpenCV has no view of constant bytes; nothing writes through this one.
+  // OpenCV has no view of constant bytes, but this one is only read.
   const cv::Mat source(picture.height, picture.width, CV_8UC3, const_cast<std::uint8_t*>(picture.bytes.data()));
   cv::Mat scaled;
   const bool shrinks = area.width < picture.width;

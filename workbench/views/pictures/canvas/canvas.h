@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A surface to draw on: twice as large as the picture that comes out of it, so that all edges are smooth. Coordinates
-// are pixels of the finished picture, x right, y down, (0, 0) its top left corner. Whatever is not finite is left out.
+// A surface to draw on, twice as large as the finished picture, so that all edges are smooth. Coordinates are pixels of
+// the finished picture, x right, y down, (0, 0) its top left corner. Coordinates that are not finite are omitted.
 #pragma once
 
 #include <functional>
@@ -33,11 +33,11 @@ struct Box {
 enum class Align { left, center, right };
 
 struct TextStyle {
-  double size = 20.0;  ///< pixels; a capital letter is 0.7 of it high
+  double size = 20.0;  ///< pixels; the height of a capital letter is 0.7 of it
   Color color = palette::ink;
   Align align = Align::left;
   bool bold = false;
-  std::optional<Color> halo = std::nullopt;  ///< around the letters, where the ground is busy
+  std::optional<Color> halo = std::nullopt;  ///< around the letters, for a busy background
 };
 
 class Canvas {
@@ -55,19 +55,19 @@ class Canvas {
   void fill_box(const Box& box, Color color);
   void disc(const Pixel& center, double radius, Color color);
   void ring(const Pixel& center, double radius, Color color, double thickness);
-  /// An ellipse whose first half axis points `turn` radians from the picture's x towards its top.
+  /// An ellipse whose first half axis is rotated by `turn` radians from the picture's x toward its top.
   void ellipse(const Pixel& center, const Pixel& half_axes, double turn, Color color, double thickness);
-  /// Printable ASCII; anything else becomes a question mark. `baseline` is where the letters stand.
+  /// Draws printable ASCII; other bytes become question marks. `baseline`: position of the bottom of the letters.
   void text(const Pixel& baseline, std::string_view words, const TextStyle& style);
   /// Scales `picture` into `box`.
   void image(const Picture& picture, const Box& box);
 
-  /// Everything that `draw` draws is cut off at the sides of `box`.
+  /// Clips everything that `draw` draws to `box`.
   void within(const Box& box, const std::function<void()>& draw);
 
   Picture finish() const;
 
-  /// Pixels that a text is wide.
+  /// Width of a text in pixels.
   static double text_width(std::string_view words, const TextStyle& style);
 
  private:
@@ -76,16 +76,16 @@ class Canvas {
   int width_;
   int height_;
   cv::Mat surface_;  // 8-bit red, green, blue
-  cv::Rect clip_;    // of the surface
+  cv::Rect clip_;    // drawable part of the surface
 };
 
-/// Points of the arc between two angles (radians, from the picture's x towards its top), for polylines and fills.
+/// Points of the arc between two angles (radians, from the picture's x toward its top), for polylines and fills.
 std::vector<Pixel> arc(const Pixel& center, double radius, double from, double to);
 
 /// The outline of the part of a ring between two angles.
 std::vector<Pixel> ring_sector(const Pixel& center, double inner, double outer, double from, double to);
 
-/// The largest part of `words` that fits, with dots at its end where something was cut off.
+/// The longest beginning of `words` that fits, with dots at its end if it was shortened.
 std::string shortened(std::string_view words, double width, const TextStyle& style);
 
 }  // namespace reorient::pictures

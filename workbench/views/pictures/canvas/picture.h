@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finished picture: plain bytes.
+// A finished picture as bytes.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@ namespace reorient::pictures {
 using scene::Color;
 namespace palette = scene::palette;
 
-/// Rows from top to bottom, three bytes a pixel: red, green, blue (sRGB).
+/// Rows from top to bottom, three bytes for each pixel: red, green, blue (sRGB).
 struct Picture {
   int width = 0;   ///< pixels
   int height = 0;  ///< pixels
   std::vector<std::uint8_t> bytes;
 
-  /// Pixel (x, y) has to lie inside of the picture.
+  /// Pixel (x, y) must be inside the picture.
   Color at(int x, int y) const {
     const std::uint8_t* pixel =
         &bytes[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];

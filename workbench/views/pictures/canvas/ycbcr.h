@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the camera's colors to a screen's.
+// Converts the camera's colors to those of a screen.
 #pragma once
 
 #include "geometry/image.h"

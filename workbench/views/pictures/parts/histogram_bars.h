@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Color histograms as bar charts on a canvas, and what their colors stand for.
+// Color histograms as bar charts on a canvas, and the legend of their colors.
 #pragma once
 
 #include "workbench/views/pictures/canvas/canvas.h"

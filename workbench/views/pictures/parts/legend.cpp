@@ -7,7 +7,7 @@ namespace reorient::pictures {
 namespace {
 
 constexpr double kSymbolWidth = 40.0;
-constexpr double kLineHeight = 1.55;  // of the text's size
+constexpr double kLineHeight = 1.55;  // times the size of the text
 
 void draw_entry(Canvas& canvas, const Pixel& left_center, const LegendEntry& entry, double size) {
   if (entry.symbol) entry.symbol(canvas, left_center + Pixel(kSymbolWidth / 2.0 - 2.0, 0.0));

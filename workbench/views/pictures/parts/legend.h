@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the colors and marks of a picture mean.
+// Legends of the colors and marks of a picture.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,14 @@ struct LegendEntry {
   std::string meaning;
 };
 
-/// One entry below the other; returns the y below the last one.
+/// Draws the entries in a column; returns the y below the last one.
 double draw_legend_column(Canvas& canvas, const Pixel& top_left, std::span<const LegendEntry> entries,
                           double size = 19.0);
 
-/// Entries from left to right, in as many lines as `box` needs; what does not fit into its height is left out.
+/// Draws the entries from left to right, in several lines if needed. Entries that do not fit into `box` are omitted.
 void draw_legend_rows(Canvas& canvas, const Box& box, std::span<const LegendEntry> entries, double size = 19.0);
 
-/// "flip", "purge" or "reset".
+/// The text "flip", "purge" or "reset".
 std::string short_name(Reorientation reorientation);
 
 /// Symbols that several pictures share.

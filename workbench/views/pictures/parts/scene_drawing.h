@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of scenes and overlays on a canvas.
+// Draws layers of scenes and overlays on a canvas.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 namespace reorient::pictures {
 
 struct Brush {
-  double scale = 1.0;         ///< pixels of the canvas in the unit of thicknesses and radii
-  double mark = 1.0;          ///< pixels of the canvas: rims and shadows are about so wide
+  double scale = 1.0;         ///< pixels of the canvas for each unit of thicknesses and radii
+  double mark = 1.0;          ///< pixels of the canvas; approximate width of rims and shadows
   double least_line = 0.0;    ///< pixels
   double least_radius = 0.0;  ///< pixels, of filled circles
-  bool shadows = false;       ///< below lines: a light line stays visible on a light ground
+  bool shadows = false;       ///< below lines, so that a light line is visible on a light background
 };
 
-/// `place`: the canvas's pixel of a point. Labels stand upright to the right of their position.
+/// `place` returns the canvas's pixel of a point. Labels are upright, to the right of their position.
 template <typename Point, typename Place>
 void draw_layer(Canvas& canvas, const scene::Layer<Point>& layer, const Place& place, const Brush& brush) {
   const Color shadow{0, 0, 0, 0.35};
