@@ -110,9 +110,9 @@ void RecordingFile::add_own_message(std::uint16_t channel, std::uint64_t time) {
 
 /// Writes a topic only with its first message, because viewers list all topics of a file.
 std::uint16_t RecordingFile::channel_of(std::size_t view) {
-  View& wanted = views_.at(view);
-  if (wanted.channel) return *wanted.channel;
-  const ViewTopic& topic = wanted.topic;
+  View& requested = views_.at(view);
+  if (requested.channel) return *requested.channel;
+  const ViewTopic& topic = requested.topic;
   std::uint16_t schema = 0;
   if (!topic.schema.empty()) {
     const auto known = schemas_.find(topic.schema);
@@ -120,9 +120,9 @@ std::uint16_t RecordingFile::channel_of(std::size_t view) {
                                      : writer_->add_schema(topic.schema, topic.schema_encoding, topic.schema_text);
     schemas_.emplace(topic.schema, schema);
   }
-  wanted.channel = writer_->add_channel(topic.name, topic.encoding, schema,
-                                        topic.lasts ? mcap::Texts{{std::string(kLasts), "true"}} : mcap::Texts{});
-  return *wanted.channel;
+  requested.channel = writer_->add_channel(topic.name, topic.encoding, schema,
+                                           topic.lasts ? mcap::Texts{{std::string(kLasts), "true"}} : mcap::Texts{});
+  return *requested.channel;
 }
 
 void RecordingFile::add_message(std::uint16_t channel, std::uint64_t time, std::span<const std::byte> data) {

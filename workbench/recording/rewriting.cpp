@@ -95,9 +95,9 @@ Rewritten recover_recording(Recording& recording, const std::filesystem::path& f
   const mcap::Contents& contents = recording.contents();
   const mcap::Channel* const frames = contents.channel(kFrameTopic);
   if (contents.statistics && frames != nullptr) {
-    const auto told = contents.statistics->messages_of.find(frames->id);
-    if (told != contents.statistics->messages_of.end() && told->second > done.frames)
-      done.lost = std::max(done.lost, told->second - done.frames);
+    const auto stated = contents.statistics->messages_of.find(frames->id);
+    if (stated != contents.statistics->messages_of.end() && stated->second > done.frames)
+      done.lost = std::max(done.lost, stated->second - done.frames);
   }
   return done;
 }

@@ -47,7 +47,7 @@ void append(const FrameRecord& frame, const GroundTruth& truth, std::string& fil
 
 /// The records of a robot that is lifted and flips its belief when it stands again, with the topics that pictures need.
 template <typename Watch>
-void run(Topics wanted, const Watch& watch) {
+void run(Topics requested, const Watch& watch) {
   SimulatorParameters parameters;
   parameters.width = 160;
   FrameSetup setup;
@@ -68,7 +68,7 @@ void run(Topics wanted, const Watch& watch) {
     if (i == 100) simulator.pick_up();
     if (i == 125) simulator.put_down(start);
     simulator.observe(inputs.observation);
-    const FrameRecord& record = engine.step(inputs, wanted);
+    const FrameRecord& record = engine.step(inputs, requested);
     simulator.answer(record.answer);
     inputs.external = {};
     watch(record, simulator.ground_truth());

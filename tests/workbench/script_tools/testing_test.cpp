@@ -73,9 +73,9 @@ end))");
 }
 
 TEST_F(ScriptedTests, RejectImpossibleMessages) {
-  for (const char* said : {"0.5, 'x'", "1e9, 'x'", "1, string.rep('x', 241)"}) {
-    run(std::string("test(\"hears\", function() hear(") + said + ") end)");
-    EXPECT_NE(only_failure(), "") << said;
+  for (const char* arguments : {"0.5, 'x'", "1e9, 'x'", "1, string.rep('x', 241)"}) {
+    run(std::string("test(\"hears\", function() hear(") + arguments + ") end)");
+    EXPECT_NE(only_failure(), "") << arguments;
   }
   run("test(\"hears\", function() for i = 1, 33 do hear(1, 'x') end end)");
   EXPECT_NE(only_failure().find("at most 32 messages"), std::string::npos);
@@ -290,7 +290,7 @@ TEST_F(ScriptedTests, AreReportedAsSkippedWithoutASimulator) {
 }
 
 TEST_F(ScriptedTests, ApplyExpectationsToAWholeSimulation) {
-  SimulationRequest asked;
+  SimulationRequest requested;
   run(R"(test("t", function()
   local is_correct = simulate { scenario = "s", with = { "a", "b" }, seed = 7, width = 320, seconds = 12.5, room_awareness = false,
     params = { ["lamp.on"] = true, ["lamp.level"] = 0.5 } }
@@ -302,7 +302,7 @@ TEST_F(ScriptedTests, ApplyExpectationsToAWholeSimulation) {
   expect.log("hello")
 end))",
       [&](const SimulationRequest& request, CoverageTrace&, const std::function<bool()>&) {
-        asked = request;
+        requested = request;
         SimulationOutcome outcome;
         outcome.is_correct = true;
         outcome.seen.verdict = ScenarioVerdict{true, "all fine", 3.0};
@@ -313,14 +313,14 @@ end))",
         return outcome;
       });
   EXPECT_EQ(summary.failed, 0) << out.str();
-  EXPECT_EQ(asked.scenario, "s");
-  EXPECT_EQ(asked.with, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(asked.seed, 7U);
-  EXPECT_EQ(asked.width, 320);
-  EXPECT_EQ(asked.seconds, 12.5);
-  EXPECT_FALSE(asked.room_awareness);
-  std::sort(asked.parameters.begin(), asked.parameters.end());
-  EXPECT_EQ(asked.parameters,
+  EXPECT_EQ(requested.scenario, "s");
+  EXPECT_EQ(requested.with, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(requested.seed, 7U);
+  EXPECT_EQ(requested.width, 320);
+  EXPECT_EQ(requested.seconds, 12.5);
+  EXPECT_FALSE(requested.room_awareness);
+  std::sort(requested.parameters.begin(), requested.parameters.end());
+  EXPECT_EQ(requested.parameters,
             (std::vector<std::pair<std::string, std::string>>{{"lamp.level", "0.5"}, {"lamp.on", "true"}}));
 }
 
@@ -534,15 +534,15 @@ TEST_F(ScriptedTests, EndInTheMiddleOfASimulation) {
 }
 
 TEST_F(ScriptedTests, LimitASimulationToTheRemainingTimeOfTheRobot) {
-  std::vector<double> asked;
+  std::vector<double> requested;
   run("test('t', function() for i = 1, 3 do simulate { scenario = 's', seconds = 20000 } end end)",
       [&](const SimulationRequest& request, CoverageTrace&, const std::function<bool()>&) {
-        asked.push_back(request.seconds);
+        requested.push_back(request.seconds);
         SimulationOutcome outcome;
         outcome.seconds = request.seconds;
         return outcome;
       });
-  EXPECT_EQ(asked, (std::vector<double>{20000.0, 16000.0}));
+  EXPECT_EQ(requested, (std::vector<double>{20000.0, 16000.0}));
   EXPECT_EQ(summary.failed, 1);
 }
 

@@ -128,38 +128,38 @@ void ScriptReading::check_callable(const Meaning& called, const LuaToken& place)
 void ScriptReading::check_arguments(const Meaning& called, const FunctionSymbol& function, const LuaToken& place,
                                     const std::vector<Meaning>& arguments) {
   const std::string who = called.name.empty() ? "this function" : called.name;
-  const std::vector<ArgumentSymbol>& wanted = function.arguments;
-  if (arguments.size() > wanted.size() && !function.more) {
-    note(place, who + ": expected " + count_text(wanted.size()) + ", found " + std::to_string(arguments.size()) + ": " +
-                    usage(who, function));
+  const std::vector<ArgumentSymbol>& expected = function.arguments;
+  if (arguments.size() > expected.size() && !function.more) {
+    note(place, who + ": expected " + count_text(expected.size()) + ", found " + std::to_string(arguments.size()) +
+                    ": " + usage(who, function));
     return;
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const ArgumentSymbol& argument = i < wanted.size() ? wanted[i] : *function.more;
+    const ArgumentSymbol& argument = i < expected.size() ? expected[i] : *function.more;
     check_argument(argument_name(i, who), argument, arguments[i], place);
     if (argument.is_state && i > 0) check_state(arguments[i - 1], arguments[i]);
   }
   const std::size_t given = arguments.empty() ? 0 : arguments.size() - 1 + arguments.back().most_values;
-  std::size_t needed = wanted.size();
-  while (needed > 0 && wanted[needed - 1].may_be_left_out) --needed;
+  std::size_t needed = expected.size();
+  while (needed > 0 && expected[needed - 1].may_be_left_out) --needed;
   if (given < needed)
     note(place,
          who + ": expected " + count_text(needed) + ", found " + std::to_string(given) + ": " + usage(who, function));
 }
 
-void ScriptReading::check_argument(const std::string& what, const ArgumentSymbol& wanted, const Meaning& given,
+void ScriptReading::check_argument(const std::string& what, const ArgumentSymbol& expected, const Meaning& given,
                                    const LuaToken& place) {
-  ValueTypes fitting = wanted.value.types | (wanted.may_be_left_out ? kNil : 0);
+  ValueTypes fitting = expected.value.types | (expected.may_be_left_out ? kNil : 0);
   if ((fitting & kNil) == 0) need(given, fitting);
   if ((fitting & kString) != 0) fitting |= kNumber;  // Lua converts numbers to text where it expects text
   const ValueTypes types = unless_nil(given.types);
   if ((types & fitting) == 0 && is_without_metatable(given) && !may_hold_a_number(given, fitting)) {
     note(given.literal != nullptr ? *given.literal : place,
-         what + ": expected " + with_article(wanted.value.types) + ", found " + with_article(types));
-  } else if (wanted.value.names != nullptr && is_text(given)) {
-    check_name(what, *wanted.value.names, *given.literal);
-  } else if (wanted.value.table != nullptr && given.own_table != nullptr && given.name.empty()) {
-    check_contents(wanted.value, *given.own_table);
+         what + ": expected " + with_article(expected.value.types) + ", found " + with_article(types));
+  } else if (expected.value.names != nullptr && is_text(given)) {
+    check_name(what, *expected.value.names, *given.literal);
+  } else if (expected.value.table != nullptr && given.own_table != nullptr && given.name.empty()) {
+    check_contents(expected.value, *given.own_table);
   }
 }
 
@@ -167,20 +167,20 @@ void ScriptReading::check_argument(const std::string& what, const ArgumentSymbol
 void ScriptReading::check_format(const LuaToken& place, const std::vector<Meaning>& arguments) {
   if (arguments.empty() || !is_text(arguments.front())) return;
   const std::string& format = arguments.front().literal->text;
-  std::size_t wanted = 0;
+  std::size_t expected = 0;
   for (std::size_t at = format.find('%'); at != std::string::npos; at = format.find('%', at + 1)) {
     at = format.find_first_not_of("-+ #0123456789.", at + 1);
     if (at == std::string::npos) break;  // Lua rejects this format
     if (format[at] == '%') continue;
-    ++wanted;
+    ++expected;
     const bool is_text_like = std::string_view("sqp").find(format[at]) != std::string_view::npos;
-    if (is_text_like || wanted >= arguments.size()) continue;
-    check_argument(argument_name(wanted, "string.format"), {"", {kNumber}, false}, arguments[wanted], place);
+    if (is_text_like || expected >= arguments.size()) continue;
+    check_argument(argument_name(expected, "string.format"), {"", {kNumber}, false}, arguments[expected], place);
   }
   const std::size_t given = arguments.size() - 2 + arguments.back().most_values;
-  if (given < wanted || arguments.size() - 1 > wanted)
-    note(place, "string.format: expected " + count_text(wanted) + " for this format, found " +
-                    std::to_string(given < wanted ? given : arguments.size() - 1));
+  if (given < expected || arguments.size() - 1 > expected)
+    note(place, "string.format: expected " + count_text(expected) + " for this format, found " +
+                    std::to_string(given < expected ? given : arguments.size() - 1));
 }
 
 /// Accepts a text with escapes, because it is not decoded here.
@@ -193,15 +193,15 @@ void ScriptReading::check_name(const std::string& what, const std::set<std::stri
 }
 
 /// Checks the literals in a table constructor that is passed as an argument.
-void ScriptReading::check_contents(const Symbol& wanted, const Expression& table) {
+void ScriptReading::check_contents(const Symbol& expected, const Expression& table) {
   for (const syntax::Field& field : table.fields) {
     if (field.key == nullptr) continue;
-    const auto found = wanted.table->fields.find(field.key->text);
-    if (found == wanted.table->fields.end()) {
-      note_missing(*wanted.table, *field.key);
+    const auto found = expected.table->fields.find(field.key->text);
+    if (found == expected.table->fields.end()) {
+      note_missing(*expected.table, *field.key);
       continue;
     }
-    const std::string name = (wanted.table->name.empty() ? "" : wanted.table->name + ".") + field.key->text;
+    const std::string name = (expected.table->name.empty() ? "" : expected.table->name + ".") + field.key->text;
     if (field.value.kind == Expression::Kind::literal) {
       const Meaning value = read_literal(*field.value.token);
       if ((found->second.types & value.types) == 0) {

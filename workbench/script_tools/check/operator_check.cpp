@@ -28,19 +28,20 @@ bool is_comparison(std::string_view operation) {
 
 }  // namespace
 
-void ScriptReading::want(const Meaning& value, ValueTypes wanted, const LuaToken& place, const std::string& who) {
-  need(value, wanted);
+void ScriptReading::require_type(const Meaning& value, ValueTypes expected, const LuaToken& place,
+                                 const std::string& who) {
+  need(value, expected);
   const ValueTypes types = unless_nil(value.types);
-  if ((types & wanted) != 0 || !is_without_metatable(value) || may_hold_a_number(value, wanted)) return;
+  if ((types & expected) != 0 || !is_without_metatable(value) || may_hold_a_number(value, expected)) return;
   const bool is_uncalled = types == kFunction && !value.name.empty();
-  note(place, subject(value) + " is " + with_article(types) + ", and " + who + " takes " + with_article(wanted) +
+  note(place, subject(value) + " is " + with_article(types) + ", and " + who + " takes " + with_article(expected) +
                   (is_uncalled ? ": call it, " + value.name + "()" : ""));
 }
 
 /// Lua converts a text to a number if it needs one. A literal or a named value as a number is still reported.
-bool ScriptReading::may_hold_a_number(const Meaning& value, ValueTypes wanted) {
+bool ScriptReading::may_hold_a_number(const Meaning& value, ValueTypes expected) {
   const bool is_any_text = value.literal == nullptr && value.names == nullptr;
-  return (wanted & kNumber) != 0 && (value.types & kString) != 0 && is_any_text;
+  return (expected & kNumber) != 0 && (value.types & kString) != 0 && is_any_text;
 }
 
 Meaning ScriptReading::read_unary(const Expression& expression) {
@@ -51,9 +52,9 @@ Meaning ScriptReading::read_unary(const Expression& expression) {
     return {kBoolean};
   }
   if (expression.token->text == "#") {
-    want(value, kTable | kString, place, "'#'");
+    require_type(value, kTable | kString, place, "'#'");
   } else {
-    want(value, kNumber, place, "'" + expression.token->text + "'");
+    require_type(value, kNumber, place, "'" + expression.token->text + "'");
   }
   return {is_without_metatable(value) ? kNumber : kAnything};
 }
@@ -68,7 +69,7 @@ Meaning ScriptReading::read_operation(const Expression& expression) {
     const Meaning value = read(expression.operands[i]);
     is_plain = is_plain && is_without_metatable(value);
     const LuaToken& nearest = *expression.operators[i == 0 ? 0 : i - 1];
-    want(value, joins ? kNumber | kString : kNumber, *expression.operands[i].token, "'" + nearest.text + "'");
+    require_type(value, joins ? kNumber | kString : kNumber, *expression.operands[i].token, "'" + nearest.text + "'");
   }
   if (!is_plain) return {};
   return {joins ? kString : kNumber};
@@ -131,7 +132,7 @@ void ScriptReading::compare_order(const LuaToken& place, const Meaning& left, co
   for (const Meaning* side : {&left, &right}) {
     const ValueTypes types = unless_nil(side->types);
     if ((types & kOrdered) != 0 || !is_without_metatable(*side)) continue;
-    return want(*side, kOrdered, place, "a comparison");
+    return require_type(*side, kOrdered, place, "a comparison");
   }
   const bool both_are_known = ((of_left | of_right) & ~kOrdered) == 0;
   if (both_are_known && (of_left & of_right) == 0)

@@ -244,12 +244,12 @@ int CheckResult::count(Finding::Severity severity) const {
 }
 
 CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths) {
-  std::vector<std::string> wanted;
-  for (const std::filesystem::path& path : paths) wanted.push_back(below(scripts_root, path));
+  std::vector<std::string> requested;
+  for (const std::filesystem::path& path : paths) requested.push_back(below(scripts_root, path));
   CheckResult result = ScriptCheck(scripts_root).run();
-  if (wanted.empty()) return result;
+  if (requested.empty()) return result;
   std::erase_if(result.findings, [&](const Finding& finding) {
-    return std::none_of(wanted.begin(), wanted.end(), [&](const std::string& path) {
+    return std::none_of(requested.begin(), requested.end(), [&](const std::string& path) {
       return path == "." || finding.file == path || finding.file.starts_with(path + "/");
     });
   });

@@ -200,7 +200,7 @@ void ScriptReading::read_for(const Statement& statement) {
   const bool counts = statement.kind == Statement::Kind::count;
   for (const Expression& value : statement.values) {
     const Meaning meaning = read(value);
-    if (counts) want(meaning, kNumber, *value.token, "'for'");
+    if (counts) require_type(meaning, kNumber, *value.token, "'for'");
   }
   scopes_.emplace_back();
   for (const LuaToken* const name : statement.names) declare(name, {counts ? kNumber : kAnything});
@@ -270,7 +270,7 @@ void ScriptReading::report_unread_fields(const TableFacts& table) {
 }
 
 /// If the value is a parameter of the innermost function: it is required, and must have one of these types.
-void ScriptReading::need(const Meaning& value, ValueTypes wanted) {
+void ScriptReading::need(const Meaning& value, ValueTypes expected) {
   Frame& frame = frames_.back();
   if (value.parameter == nullptr || frame.function == nullptr || !frame.is_certain) return;
   const std::vector<const LuaToken*>& names = frame.function->parameters;
@@ -279,7 +279,7 @@ void ScriptReading::need(const Meaning& value, ValueTypes wanted) {
   const std::size_t index = static_cast<std::size_t>(found - names.begin()) + (frame.function->has_self ? 1 : 0);
   ArgumentSymbol& argument = frame.learned.arguments[index];
   argument.may_be_left_out = false;
-  const ValueTypes both = argument.value.types & wanted & ~kNil;
+  const ValueTypes both = argument.value.types & expected & ~kNil;
   argument.value.types = both != 0 ? both : kAnything;
 }
 
@@ -288,10 +288,10 @@ void ScriptReading::mark_open(const Meaning& value) {
   if (value.own_table != nullptr) learned.tables[value.own_table].is_open = true;
 }
 
-std::string ScriptReading::hint(std::string_view wanted, const std::vector<std::string>& names) {
+std::string ScriptReading::hint(std::string_view unknown, const std::vector<std::string>& names) {
   if (!has_hints_left()) return {};
   ++hints_;
-  return did_you_mean(wanted, names);
+  return did_you_mean(unknown, names);
 }
 
 void ScriptReading::note(const LuaToken& place, std::string message, Finding::Severity severity) {

@@ -110,7 +110,7 @@ class ScriptReading {
   void compare(const LuaToken& place, const Meaning& left, const Meaning& right);
   void compare_order(const LuaToken& place, const Meaning& left, const Meaning& right);
   void check_compared_name(const Meaning& value, const Meaning& text);
-  void want(const Meaning& value, ValueTypes wanted, const LuaToken& place, const std::string& who);
+  void require_type(const Meaning& value, ValueTypes expected, const LuaToken& place, const std::string& who);
   void read_condition(const syntax::Expression& expression);
   void check_condition(const syntax::Expression& expression, const Meaning& value);
   void check_truth(const Meaning& value, const LuaToken& place);
@@ -122,22 +122,22 @@ class ScriptReading {
   void check_callable(const Meaning& called, const LuaToken& place);
   void check_arguments(const Meaning& called, const FunctionSymbol& function, const LuaToken& place,
                        const std::vector<Meaning>& arguments);
-  void check_argument(const std::string& what, const ArgumentSymbol& wanted, const Meaning& given,
+  void check_argument(const std::string& what, const ArgumentSymbol& expected, const Meaning& given,
                       const LuaToken& place);
   void check_name(const std::string& what, const std::set<std::string>& names, const LuaToken& text);
-  void check_contents(const Symbol& wanted, const syntax::Expression& table);
+  void check_contents(const Symbol& expected, const syntax::Expression& table);
   void check_format(const LuaToken& place, const std::vector<Meaning>& arguments);
   void check_state(const Meaning& machine, const Meaning& path);
   bool is_edited_in(const std::string& path) const;
   Meaning declared_parameters(const Meaning& declarations);
 
-  void need(const Meaning& value, ValueTypes wanted);
-  static bool may_hold_a_number(const Meaning& value, ValueTypes wanted);
+  void need(const Meaning& value, ValueTypes expected);
+  static bool may_hold_a_number(const Meaning& value, ValueTypes expected);
   bool is_without_metatable(const Meaning& value) const;
   const FunctionSymbol* signature_of(const Meaning& value) const;
   /// Limits the search for similar names, which is slow.
   bool has_hints_left() const { return hints_ < 20; }
-  std::string hint(std::string_view wanted, const std::vector<std::string>& names);
+  std::string hint(std::string_view unknown, const std::vector<std::string>& names);
   void note(const LuaToken& place, std::string message, Finding::Severity severity = Finding::Severity::error);
 
   const syntax::Script& script_;

@@ -54,9 +54,9 @@ struct DrawnMachine {
 
 std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> machines) {
   std::set<std::string> taken;
-  const auto fresh = [&](const std::string& wanted) {
-    std::string name = wanted;
-    for (int i = 2; !taken.insert(name).second; ++i) name = wanted + "_" + std::to_string(i);
+  const auto fresh = [&](const std::string& base) {
+    std::string name = base;
+    for (int i = 2; !taken.insert(name).second; ++i) name = base + "_" + std::to_string(i);
     return name;
   };
   std::vector<DrawnMachine> all;

@@ -57,10 +57,9 @@ struct Statement {
   Kind kind = Kind::block;
   std::vector<const LuaToken*> names;  ///< declared names: local, count and walk (the two forms of `for`)
   std::vector<Expression> targets;     ///< assignment: the targets; function: its name
-  std::vector<Expression>
-      values;                 ///< local, assignment, give (return), call: the values; branch and loop: the conditions
-  std::vector<Block> blocks;  ///< branch: one for each condition, and one more for `else`
-  bool tests_at_end = false;  ///< loop: repeat ... until
+  std::vector<Expression> values;      ///< values; branch and loop: the conditions; give is `return`
+  std::vector<Block> blocks;           ///< branch: one for each condition, and one more for `else`
+  bool tests_at_end = false;           ///< loop: repeat ... until
   std::unique_ptr<Function> function;
 };
 

@@ -13,10 +13,10 @@ void forget_the_oldest(std::vector<Seen>& seen) {
 
 }  // namespace
 
-void SeenFrames::note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> said,
-                      std::span<const FaultRecord> failed) {
+void SeenFrames::note(const NameTable& names, std::span<const TransitionRecord> taken,
+                      std::span<const LogRecord> logged, std::span<const FaultRecord> failed) {
   for (const TransitionRecord& record : taken) transitions.push_back({names[record.machine], names[record.reason]});
-  for (const LogRecord& record : said) logs.push_back(record.text);
+  for (const LogRecord& record : logged) logs.push_back(record.text);
   for (const FaultRecord& record : failed) faults.push_back(record.fault);
   forget_the_oldest(transitions);
   forget_the_oldest(logs);

@@ -56,7 +56,7 @@ struct SeenFrames {
   std::vector<std::string> actions;  ///< of the scenario's operator
   std::optional<ScenarioVerdict> verdict;
 
-  void note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> said,
+  void note(const NameTable& names, std::span<const TransitionRecord> taken, std::span<const LogRecord> logged,
             std::span<const FaultRecord> failed);
   void note_messages(std::span<const std::string> sent);
   void note_commands(std::span<const CommandRecord> given, std::span<const Lease> begun);

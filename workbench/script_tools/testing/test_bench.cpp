@@ -259,10 +259,10 @@ void TestBench::set_param(std::string_view name, std::string_view value) {
 }
 
 void TestBench::hear(std::int64_t sender, std::string_view text) {
-  std::vector<Message>& heard = replay_ ? added_.external.messages : heard_;
-  if (heard.size() >= kMostMessages)
+  std::vector<Message>& messages = replay_ ? added_.external.messages : messages_;
+  if (messages.size() >= kMostMessages)
     throw std::runtime_error("hear: expected at most " + std::to_string(kMostMessages) + " messages in a frame");
-  heard.push_back(message_of(sender, text));
+  messages.push_back(message_of(sender, text));
 }
 
 /// Expectations apply to the frames that follow; expectations of transitions apply to all frames.
@@ -299,17 +299,17 @@ void TestBench::step() {
   const World& world = fake_world_.begin_frame(static_cast<double>(frame_) / kFramesPerSecond, arbiter_.last(),
                                                {.is_pose_set = std::exchange(is_pose_set_, false)});
   ++frame_;
-  scripts.tick(world, heard_);
-  heard_.clear();
+  scripts.tick(world, messages_);
+  messages_.clear();
   arbiter_.set_parameters(arbiter_parameters_);
   const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world);
   fake_world_.end_frame(arbitration);
   const NameTable& names = *scripts.host().names().table();
-  const ScriptOutput& said = scripts.said();
-  seen_.note(names, said.transitions, said.logs, said.faults);
+  const ScriptOutput& output = scripts.said();
+  seen_.note(names, output.transitions, output.logs, output.faults);
   seen_.note_messages(scripts.wanted().messages);
   seen_.note_commands(arbitration.commands, arbitration.begun);
-  trace_.note(scripts.host().definitions(), names, said.transitions);
+  trace_.note(scripts.host().definitions(), names, output.transitions);
   leases_.assign(scripts.leases().begin(), scripts.leases().end());
   request_ = permitted(scripts.wanted().request, world);
   if (scenario_) {

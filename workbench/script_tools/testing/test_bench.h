@@ -124,8 +124,8 @@ class TestBench {
   FakeWorld fake_world_{parameters_};
   bool is_pose_set_ = false;  ///< since the last frame
   long frame_ = 0;
-  World replayed_world_;        ///< of the last frame of a replay
-  std::vector<Message> heard_;  ///< sent with the next frame
+  World replayed_world_;           ///< of the last frame of a replay
+  std::vector<Message> messages_;  ///< sent with the next frame
   std::optional<GroundTruth> truth_;
   std::unique_ptr<Behaviors> behaviors_;
   RecordedBehaviors recorded_;  ///< the behaviors as the scenario sees them
