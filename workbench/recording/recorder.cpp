@@ -124,13 +124,12 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
   const bool is_slow = waiting > options_.most_waiting / 2;
   const bool has_views = options_.jpeg_quality > 0 && waiting <= options_.most_waiting / 4;
   const std::uint64_t frame = engine.record().world.frame;
-  const bool records_image =
-      options_.images_every > 0 && frame % static_cast<std::uint64_t>(options_.images_every) == 0;
+  const bool has_images = options_.images_every > 0 && frame % static_cast<std::uint64_t>(options_.images_every) == 0;
   const std::optional<CameraFrame>* const cameras[] = {&inputs.observation.upper, &inputs.observation.lower};
   for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
     const std::optional<CameraFrame>& seen = *cameras[camera];
     item.entry.has_image[camera] = seen && !seen->image.empty();
-    item.entry.image_is_exact[camera] = item.entry.has_image[camera] && records_image && !is_slow;
+    item.entry.image_is_exact[camera] = item.entry.has_image[camera] && has_images && !is_slow;
     item.is_viewed[camera] = item.entry.has_image[camera] && has_views;
     if (item.has_pixels(camera)) {
       copy_pixels(seen->image, item.images[camera]);
@@ -156,7 +155,7 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
 
   const bool sees = item.entry.has_image[0] || item.entry.has_image[1];
   const bool lacks_view = sees && options_.jpeg_quality > 0 && !has_views;
-  const bool lacks_image = records_image && is_slow && !item.entry.is_exact();
+  const bool lacks_image = has_images && is_slow && !item.entry.is_exact();
   if (!lacks_view && !lacks_image) return;
   const std::lock_guard lock(shared_->mutex);
   Counts& counts = shared_->counts;

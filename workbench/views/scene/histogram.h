@@ -14,9 +14,8 @@ namespace reorient::scene {
 inline constexpr int kHistogramBins = 14;
 
 struct HistogramBars {
-  std::array<float, kHistogramBins> share{};  ///< fraction of the pixels in [0, 1]
-  std::array<float, kHistogramBins>
-      deviation{};  ///< standard deviation of that fraction, the square root of Eq. (2); 0 if unknown
+  std::array<float, kHistogramBins> share{};      ///< fraction of the pixels in [0, 1]
+  std::array<float, kHistogramBins> deviation{};  ///< its standard deviation, the root of Eq. (2); 0 if unknown
 };
 
 /// The color that represents a bin: the middle of its part of the YCbCr space.
