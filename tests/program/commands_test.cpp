@@ -318,7 +318,7 @@ TEST_F(CommandsTest, TestTellsTheCoverageAlsoWhereTheReportCannotBeWritten) {
       run({"test", "--coverage", "--junit", "/dev/full", (scripts_ / "tests/get_up_test.lua").string()});
   EXPECT_EQ(tested.code, kBadInput);
   EXPECT_NE(tested.out.find("get_up: 3 of 3 states"), std::string::npos) << tested.out;
-  EXPECT_NE(tested.out.find("\nin all: "), std::string::npos) << tested.out;
+  EXPECT_NE(tested.out.find("\ntotal: "), std::string::npos) << tested.out;
   EXPECT_EQ(tested.err, "reorient: cannot write '/dev/full': No space left on device\n");
 }
 

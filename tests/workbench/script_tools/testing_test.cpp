@@ -156,7 +156,7 @@ TEST_F(ScriptedTests, CountTheStatesAndTransitionsThatTheyCovered) {
             "  behaviors/lamp.lua:8:11: never entered: on/bright\n"
             "  behaviors/lamp.lua:6:7: never taken: on > off (light)\n"
             "  behaviors/lamp.lua:7:21: never taken: on/dim > on/bright (after 1.0 s)\n"
-            "in all: 3 of 4 states (75 %), 1 of 3 transitions (33 %) of the 1 machine that tests loaded\n");
+            "total: 3 of 4 states (75 %), 1 of 3 transitions (33 %) of the 1 machine that tests loaded\n");
 }
 
 TEST_F(ScriptedTests, ReportEachMachineThatNoTestLoadsInOneLine) {
@@ -165,11 +165,11 @@ TEST_F(ScriptedTests, ReportEachMachineThatNoTestLoadsInOneLine) {
   EXPECT_EQ(coverage(),
             "lamp: no test loaded it\n"
             "night: no test loaded it\n"
-            "in all: 0 of 5 states (0 %), 0 of 3 transitions (0 %): no test loaded a machine\n");
+            "total: 0 of 5 states (0 %), 0 of 3 transitions (0 %): no test loaded a machine\n");
   run(R"(test("t", function() load_behavior "lamp" advance(0.1) end))");
   EXPECT_TRUE(
       coverage().ends_with("night: no test loaded it\n"
-                           "in all: 1 of 4 states (25 %), 0 of 3 transitions (0 %) of the 1 machine that tests "
+                           "total: 1 of 4 states (25 %), 0 of 3 transitions (0 %) of the 1 machine that tests "
                            "loaded; 1 of 5 states (20 %), 0 of 3 transitions (0 %) of all 2 machines\n"))
       << coverage();
 }
@@ -213,12 +213,12 @@ end))");
             "  behaviors/guest.lua:6:9: never entered: away\n"
             "  behaviors/guest.lua:5:20: never taken: here > away (after 5 s)\n"
             "  behaviors/guest.lua:6:20: never taken: away > here (after 5 s)\n"
-            "  made by lib/makers.lua: 1 of 1 states, 1 of 3 transitions\n"
+            "  from lib/makers.lua: 1 of 1 states, 1 of 3 transitions\n"
             "sign: 0 of 0 states, 0 of 0 transitions\n"
-            "  made by lib/makers.lua: 1 of 2 states, 0 of 2 transitions\n"
+            "  from lib/makers.lua: 1 of 2 states, 0 of 2 transitions\n"
             "lamp: no test loaded it\n"
-            "in all: 1 of 2 states (50 %), 0 of 2 transitions (0 %) of the 2 machines that tests loaded; "
-            "made in them by libraries: 2 of 3 states (66 %), 1 of 5 transitions (20 %); "
+            "total: 1 of 2 states (50 %), 0 of 2 transitions (0 %) of the 2 machines that tests loaded; "
+            "from libraries: 2 of 3 states (66 %), 1 of 5 transitions (20 %); "
             "1 of 6 states (16 %), 0 of 5 transitions (0 %) of all 3 machines\n");
 }
 
@@ -248,7 +248,7 @@ TEST_F(ScriptedTests, OmitAScriptThatCannotBeLoadedFromTheCoverageAndReportWhy) 
   EXPECT_TRUE(failures[0].starts_with("behaviors/broken.lua is not in the coverage: behaviors/broken.lua:1"))
       << failures[0];
   EXPECT_NE(text.str().find("lamp: 1 of 4 states"), std::string::npos) << text.str();
-  EXPECT_NE(text.str().find("\nin all: "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("\ntotal: "), std::string::npos) << text.str();
 }
 
 TEST_F(ScriptedTests, CountTransitionsAfterAnEdit) {
@@ -263,7 +263,7 @@ TEST_F(ScriptedTests, CountTransitionsAfterAnEdit) {
 end))");
   EXPECT_EQ(coverage(),
             "lamp: 4 of 4 states, 3 of 3 transitions\n"
-            "in all: 4 of 4 states (100 %), 3 of 3 transitions (100 %) of the 1 machine that tests loaded\n")
+            "total: 4 of 4 states (100 %), 3 of 3 transitions (100 %) of the 1 machine that tests loaded\n")
       << out.str();
 }
 

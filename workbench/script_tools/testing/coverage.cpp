@@ -109,19 +109,20 @@ class CoverageReport {
     run_.add(found.own);
     out_ << machine.name << ": " << text(found.own) << "\n" << found.left_out;
     for (const auto& [file, shares] : found.by_file) {
-      out_ << "  made by " << file << ": " << text(shares) << "\n";
-      made_.add(shares);
+      out_ << "  from " << file << ": " << text(shares) << "\n";
+      from_libraries_.add(shares);
     }
   }
 
   void finish() {
-    out_ << not_run_ << "in all: ";
+    out_ << not_run_ << "total: ";
     if (run_count_ == 0) {
       out_ << with_percents(all_) << ": no test loaded a machine\n";
       return;
     }
     out_ << with_percents(run_) << " of the " << counted(run_count_, "machine") << " that tests loaded";
-    if (made_.states.all + made_.transitions.all > 0) out_ << "; made in them by libraries: " << with_percents(made_);
+    if (from_libraries_.states.all + from_libraries_.transitions.all > 0)
+      out_ << "; from libraries: " << with_percents(from_libraries_);
     if (count_ > run_count_) out_ << "; " << with_percents(all_) << " of all " << counted(count_, "machine");
     out_ << "\n";
   }
@@ -133,8 +134,8 @@ class CoverageReport {
   int count_ = 0;
   int run_count_ = 0;
   Shares all_;
-  Shares run_;   ///< of the machines that tests ran
-  Shares made_;  ///< in these, by other files
+  Shares run_;             ///< of the machines that tests ran
+  Shares from_libraries_;  ///< in these, by other files
 };
 
 }  // namespace
