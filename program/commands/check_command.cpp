@@ -25,7 +25,7 @@ struct CheckOptions {
 int check(const CheckOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
   const CheckResult result = check_scripts(root, options.paths);
-  if (result.files == 0) throw std::runtime_error(root.string() + ": found no scripts in it");
+  if (result.files == 0) throw std::runtime_error(root.string() + ": expected scripts, found none");
   for (const Finding& finding : result.findings) out << finding.text() << "\n";
   const int errors = result.count(Finding::Severity::error);
   const int warnings = result.count(Finding::Severity::warning);

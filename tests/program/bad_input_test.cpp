@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bad input: exit code 2, one line that names the culprit, and nothing written.
+// Bad input: exit code 2, one line that names the invalid value, and no file written.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -29,8 +29,8 @@ class BadInput : public ::testing::Test {
     return all;
   }
 
-  /// A run of a tenth of a second, in case that it is not refused.
-  void expect_refused_run(Words words, const Words& culprits) const {
+  /// Limits the run to a tenth of a second, in case that it is not refused.
+  void expect_refused_run(Words words, const Words& parts) const {
     words.insert(words.begin(), "run");
     const auto unless_given = [&](const std::string& option, const std::string& value) {
       if (std::find(words.begin(), words.end(), option) == words.end()) words.insert(words.end(), {option, value});
@@ -38,21 +38,21 @@ class BadInput : public ::testing::Test {
     unless_given("--seconds", "0.1");
     unless_given("--width", "160");
     unless_given("--out", path("out"));
-    expect_refused(words, culprits);
+    expect_refused(words, parts);
   }
 
-  void expect_refused(const Words& words, const Words& culprits) const {
+  void expect_refused(const Words& words, const Words& parts) const {
     const std::set<std::string> before = files();
     const ProgramRun run = run_reorient(words);
-    std::string said;
-    for (const std::string& word : words) said += word + ' ';
-    SCOPED_TRACE("reorient " + said + "\n" + run.err);
+    std::string command;
+    for (const std::string& word : words) command += word + ' ';
+    SCOPED_TRACE("reorient " + command + "\n" + run.err);
     EXPECT_EQ(run.code, kBadInput);
     EXPECT_EQ(run.out, "");
     EXPECT_TRUE(run.err.starts_with("reorient: "));
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
     EXPECT_TRUE(run.err.ends_with('\n'));
-    for (const std::string& culprit : culprits) EXPECT_NE(run.err.find(culprit), std::string::npos) << culprit;
+    for (const std::string& part : parts) EXPECT_NE(run.err.find(part), std::string::npos) << part;
     EXPECT_EQ(files(), before);
   }
 
@@ -85,16 +85,20 @@ TEST_F(BadInput, AnInvalidValueIsNamedWithItsOption) {
     expect_refused_run({"--width", width}, {"--width", width});
   }
   for (const char* seconds : {"-1", "0", "long", "nan", "inf", "1e9"}) {
-    expect_refused_run({"--seconds", seconds}, {"--seconds", seconds});
+    expect_refused_run({"--seconds", seconds},
+                       {"--seconds: expected a number from 0.1 to 86400, found '" + std::string(seconds) + "'"});
   }
   for (const char* seed : {"-1", "one", "1.5", "99999999999999999999999"}) {
-    expect_refused_run({"--seed", seed}, {"--seed", seed});
-    expect_refused_run({"--hall-seed", seed}, {"--hall-seed", seed});
+    expect_refused_run({"--seed", seed},
+                       {"--seed: expected a whole number from 0 to 2^64 - 1, found '" + std::string(seed) + "'"});
+    expect_refused_run({"--hall-seed", seed}, {"--hall-seed: expected a whole number from 0 to 2^64 - 1, found"});
   }
   expect_refused_run({"--log", "loud"}, {"--log", "loud"});
 }
 
-TEST_F(BadInput, ARoomThatIsMissingIsNamed) { expect_refused_run({"--room", path("gone.hdr")}, {"gone.hdr"}); }
+TEST_F(BadInput, ARoomThatIsMissingIsNamed) {
+  expect_refused_run({"--room", path("gone.hdr")}, {"unknown room '" + path("gone.hdr") + "'"});
+}
 
 TEST_F(BadInput, ARoomThatIsAFolderIsNamed) {
   expect_refused_run({"--room", folder_.path().string()}, {"expected a file, found a folder"});
@@ -102,7 +106,7 @@ TEST_F(BadInput, ARoomThatIsAFolderIsNamed) {
 
 TEST_F(BadInput, ARoomThatIsEmptyIsNamed) { expect_refused_run({"--room", file("hall.hdr", "")}, {"hall.hdr"}); }
 
-TEST_F(BadInput, ARoomThatIsNoPictureIsNamed) {
+TEST_F(BadInput, ARoomThatIsNotAPictureIsNamed) {
   expect_refused_run({"--room", file("hall.hdr", "a hall with many windows")}, {"hall.hdr"});
 }
 
@@ -114,7 +118,7 @@ TEST_F(BadInput, ARoomThatEndsTooEarlyIsNamed) {
   }
 }
 
-TEST_F(BadInput, ARoomThatIsNoPanoramaIsNamedWithItsSize) {
+TEST_F(BadInput, ARoomThatIsNotAPanoramaIsNamedWithItsSize) {
   expect_refused_run({"--room", file("hall.hdr", radiance(64, 64))}, {"hall.hdr", "64 x 64"});
 }
 
@@ -131,9 +135,10 @@ TEST_F(BadInput, ASymmetryOutOfItsRangeIsNamedWithItsRange) {
     expect_refused_run({"--set", std::string("room_shape.mark=") + value}, {"room_shape.mark"});
 }
 
-TEST_F(BadInput, AnUnknownParameterIsNamedWithOneThatWasPerhapsMeant) {
-  expect_refused_run({"--set", "orientation.lingring=0.3"},
-                     {"orientation.lingring", "did you mean 'orientation.lingering'"});
+TEST_F(BadInput, AnUnknownParameterIsNamedWithASuggestion) {
+  expect_refused_run(
+      {"--set", "orientation.lingring=0.3"},
+      {"the command line: unknown parameter 'orientation.lingring' (did you mean 'orientation.lingering'?)"});
   expect_refused_run({"--set", "pose_filter.partciles=50"}, {"did you mean 'pose_filter.particles'"});
 }
 
@@ -163,7 +168,7 @@ TEST_F(BadInput, AParameterOfAWrongTypeIsNamed) {
 }
 
 TEST_F(BadInput, AParameterFileThatIsMissingIsNamed) {
-  expect_refused_run({"--params", path("gone.toml")}, {"gone.toml"});
+  expect_refused_run({"--params", path("gone.toml")}, {"gone.toml: expected a parameter file, found none"});
 }
 
 TEST_F(BadInput, ABrokenParameterFileIsNamedWithTheLine) {
@@ -184,14 +189,16 @@ TEST_F(BadInput, AParameterFileCannotWriteOnTheTerminal) {
                      {"mine.toml:1", "'\\x1B[2Jname again'"});
 }
 
-TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) { expect_refused_run({"--field", path("gone.toml")}, {"gone.toml"}); }
+TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) {
+  expect_refused_run({"--field", path("gone.toml")}, {"unknown field '" + path("gone.toml") + "'"});
+}
 
 TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
   expect_refused_run({"gone"}, {"unknown scenario 'gone'", "(expected elsewhere, fallen, falls, half_time, kidnapped"});
   expect_refused_run({path("gone.lua")}, {"gone.lua"});
 }
 
-TEST_F(BadInput, TheNearestRightScriptIsNamed) {
+TEST_F(BadInput, TheMostSimilarScriptIsSuggested) {
   expect_refused_run({"kidnaped"}, {"did you mean 'kidnapped'?"});
   expect_refused_run({"scenarios/kidnapped"}, {"did you mean 'kidnapped'?"});
   expect_refused_run({"orientation"}, {"expected a scenario, found the behavior 'orientation'"});
@@ -204,34 +211,36 @@ TEST_F(BadInput, TheNearestRightScriptIsNamed) {
   expect_refused_run({"--set", "kidnapped.learn=3"}, {"this run does not load 'kidnapped'"});
 }
 
-TEST_F(BadInput, TheNearestRightFileIsNamed) {
+TEST_F(BadInput, TheMostSimilarFileIsSuggested) {
   file("hall_of_the_north.hdr", "");
   expect_refused_run({"--room", folder_.path().string()}, {"as in", "hall_of_the_north.hdr"});
   expect_refused_run({"--room", path("hall_of_the_nroth.hdr")}, {"did you mean 'hall_of_the_north.hdr'?"});
-  expect_refused_run({"--field", "slp"}, {"did you mean 'spl'?"});
+  expect_refused_run({"--field", "slp"}, {"unknown field 'slp' (did you mean 'spl'?)"});
   expect_refused_run({"--body", "unicorn"},
                      {"unknown body 'unicorn' (expected a file, or one of booster-k1, booster-t1, nao-v6"});
-  expect_refused_run({"--params", "papre"}, {"did you mean 'paper'?"});
+  expect_refused_run(
+      {"--params", "papre"},
+      {"--params papre: expected a file, or a name in assets/parameters, found neither (did you mean 'paper'?)"});
   expect_refused_run({"--params", "light/hrad"}, {"did you mean 'light/hard'?"});
   expect_refused_run({"--json", path("gone/run.json")}, {"No such file or directory"});
 }
 
-TEST_F(BadInput, TheNearestRightWordIsNamed) {
+TEST_F(BadInput, TheMostSimilarWordIsSuggested) {
   expect_refused({"kidnapped"}, {"did you mean 'reorient run kidnapped'?"});
   expect_refused_run({"--hall-sed", "3"}, {"did you mean '--hall-seed'?"});
   expect_refused({"--colr=never"}, {"did you mean '--color'?"});
   expect_refused_run({"--room", "x.hdr", "--hall-seed", "2"}, {"--room excludes --hall-seed"});
 }
 
-TEST_F(BadInput, AnEmptyWordIsNoWishForTheDefault) {
+TEST_F(BadInput, AnEmptyValueDoesNotMeanTheDefault) {
   for (const char* option : {"--room", "--field", "--params", "--scripts", "--json", "--save-params", "--out"})
     expect_refused_run({option, ""}, {option, "expected a value, found an empty one"});
   expect_refused_run({""}, {"unknown scenario ''"});
 }
 
 TEST_F(BadInput, AFolderOfScriptsThatIsMissingIsNamed) {
-  expect_refused_run({"--scripts", path("gone")}, {"gone"});
-  expect_refused({"test", "--scripts", path("gone")}, {"gone"});
+  expect_refused_run({"--scripts", path("gone")}, {"gone: expected a folder of scripts, found none"});
+  expect_refused({"test", "--scripts", path("gone")}, {"gone: expected a folder of scripts, found none"});
 }
 
 TEST_F(BadInput, AScriptWithASyntaxErrorIsNamedWithItsLine) {
@@ -248,13 +257,13 @@ TEST_F(BadInput, AScriptThatFailsWhenItIsReadIsNamedWithItsLine) {
 
 TEST_F(BadInput, ATestThatIsMissingIsNamed) { expect_refused({"test", path("gone_test.lua")}, {"gone_test.lua"}); }
 
-TEST_F(BadInput, AFolderForPicturesThatCannotBeMadeIsNamed) {
+TEST_F(BadInput, AFolderForPicturesThatCannotBeCreatedIsNamed) {
   file("taken", "a file, no folder");
   expect_refused_run({"--out", path("taken")}, {"taken", "--out"});
   expect_refused_run({"--out", path("taken/out")}, {"taken/out", "--out"});
 }
 
-TEST_F(BadInput, TwoNamesOfOneFileAreNamed) {
+TEST_F(BadInput, OneFileForTwoOptionsIsRefused) {
   expect_refused_run({"--json", path("same"), "--record", path("same")},
                      {"--json and --record: expected two files, found the same one"});
   expect_refused_run({"--model", path("z"), "--record", path("./z")},
@@ -269,11 +278,12 @@ TEST_F(BadInput, TwoNamesOfOneFileAreNamed) {
   const std::filesystem::path field = kProjectFolder / "assets/fields/spl.toml";
   expect_refused_run({"--field", field.string(), "--json", field.string()},
                      {"--field and --json: expected two files, found the same one"});
-  EXPECT_LE(run_shortly({"--params", tuned, "--save-params", tuned}).code, kWrong) << "tuned on";
+  EXPECT_LE(run_shortly({"--params", tuned, "--save-params", tuned}).code, kWrong)
+      << "the same parameter file may be read and written";
   EXPECT_LE(run_shortly({"--json", "/dev/null", "--save-params", "/dev/null"}).code, kWrong);
 }
 
-TEST_F(BadInput, AnOutputInThePlaceOfAScriptIsNamed) {
+TEST_F(BadInput, AnOutputAmongTheScriptsIsRefused) {
   const std::string scripts = copy_scripts(folder_.path()).string(), script = scripts + "/behaviors/look_back.lua";
   expect_refused_run({"--scripts", scripts, "--record", script},
                      {"--record " + script + ": expected a file outside the folder of scripts, found one in it"});
@@ -285,10 +295,10 @@ TEST_F(BadInput, AnOutputInThePlaceOfAScriptIsNamed) {
                           scripts + "/annotations/reorient.lua"})
                 .code,
             kSuccess)
-      << "which are no scripts";
+      << "annotations are not scripts";
 }
 
-TEST_F(BadInput, AFileThatIsNoRecordingIsNotRecordedOver) {
+TEST_F(BadInput, AFileThatIsNotARecordingIsNotOverwritten) {
   const std::string letters = file("letters.txt", "years of work");
   expect_refused_run({"--record", letters}, {letters, "the file exists and is not a recording"});
   EXPECT_EQ(read_text(letters), "years of work");
@@ -306,11 +316,12 @@ TEST_F(BadInput, AnInvalidRootOfScriptsIsNamed) {
   }
   expect_refused({"new", "behavior", "x", "--scripts", gone}, {"--scripts " + gone});
   std::filesystem::create_directories(folder_.path() / "none" / "behaviors");
-  expect_refused({"check", "--scripts", path("none")}, {"found no scripts in it"});
+  expect_refused({"check", "--scripts", path("none")}, {"expected scripts, found none"});
   expect_refused({"check", (kProjectFolder / "scripts/README.md").string()},
                  {"README.md: expected a folder or a file *.lua"});
   std::filesystem::create_directory(folder_.path() / "mine");
-  EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess) << "it is begun";
+  EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess)
+      << "a new root of scripts";
 }
 
 TEST_F(BadInput, AFolderInsteadOfAFileIsNamed) {
@@ -327,7 +338,7 @@ TEST_F(BadInput, AFileThatIsNotAScriptIsNotCalledMissing) {
   expect_refused({"graph", file("mine.lua", "")}, {"expected a script below", "found one outside", "--scripts"});
 }
 
-TEST_F(BadInput, TheHelpOfTheCommandItselfIsNamed) {
+TEST_F(BadInput, TheHelpOfTheUsedCommandIsNamed) {
   expect_refused({}, {"calibrate", "replay", "recording", "record-test"});
   expect_refused({"model", "compare", "a.model"},
                  {"second is required: second model, with the same wall (see reorient model compare --help)"});

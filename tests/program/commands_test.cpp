@@ -33,7 +33,7 @@ TEST_F(CommandsTest, CheckFindsNothingWrongWithTheShippedScripts) {
   EXPECT_NE(checked.out.find("0 errors, 0 warnings"), std::string::npos) << checked.out;
 }
 
-TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
+TEST_F(CommandsTest, CheckReportsAMistakeAndFails) {
   std::ofstream(scripts_ / "behaviors/odd.lua")
       << "local x = robot.penalised\nbehavior \"odd\" { initial = \"a\", state \"a\" {} }\n";
   const ProgramRun checked = run({"check"});
@@ -44,14 +44,14 @@ TEST_F(CommandsTest, CheckTellsAMistakeAndFails) {
       << checked.out;
 }
 
-TEST_F(CommandsTest, CheckFailsOnAWarningOnlyWhenAskedTo) {
+TEST_F(CommandsTest, CheckFailsOnAWarningOnlyIfStrict) {
   std::ofstream(scripts_ / "behaviors/odd.lua")
       << "behavior \"odd\" { initial = \"a\", state \"a\" { { \"b\", after = 1 } }, state \"b\" {} }\n";
   EXPECT_EQ(run({"check"}).code, kSuccess);
   EXPECT_EQ(run({"check", "--strict"}).code, kWrong);
 }
 
-TEST_F(CommandsTest, CheckRefusesAPathThatIsNotThere) {
+TEST_F(CommandsTest, CheckRefusesAMissingPath) {
   const ProgramRun checked = run({"check", path("nothing.lua")});
   EXPECT_EQ(checked.code, kBadInput);
   EXPECT_NE(checked.err.find("nothing.lua"), std::string::npos);
@@ -88,7 +88,7 @@ TEST_F(CommandsTest, GraphDrawsSeveralScriptsInOnePicture) {
   EXPECT_TRUE(run({"graph", "goal_search", "get_up", "--format", "dot"}).out.starts_with("digraph machines {\n"));
 }
 
-TEST_F(CommandsTest, GraphAsksForTheFileWhereANameMeansTwo) {
+TEST_F(CommandsTest, GraphRefusesANameOfTwoScripts) {
   std::ofstream(scripts_ / "scenarios/orientation.lua") << "scenario \"other\" { state \"here\" {} }\n";
   const ProgramRun drawn = run({"graph", "orientation"});
   EXPECT_EQ(drawn.code, kBadInput);
@@ -105,14 +105,14 @@ TEST_F(CommandsTest, GraphWritesAFile) {
   EXPECT_EQ(read_whole_file(path("o.mmd")), run({"graph", "orientation"}).out);
 }
 
-TEST_F(CommandsTest, GraphRefusesWhatItDoesNotKnow) {
+TEST_F(CommandsTest, GraphRefusesUnknownScripts) {
   const ProgramRun drawn = run({"graph", "orientatoin"});
   EXPECT_EQ(drawn.code, kBadInput);
   EXPECT_NE(drawn.err.find("did you mean 'orientation'?"), std::string::npos) << drawn.err;
   EXPECT_EQ(run({"graph", "orientation", "--format", "png"}).code, kBadInput);
 }
 
-TEST_F(CommandsTest, ReferenceHoldsOnesOwnLibrariesToo) {
+TEST_F(CommandsTest, ReferenceContainsTheLibrariesOfTheUser) {
   std::ofstream(scripts_ / "lib/mine.lua")
       << "--- Mine.\n\nlocal mine = {}\n\n--- Blinks.\n---@param times number how often\n"
          "function mine.blink(times) end\n\nreturn mine\n";
@@ -142,7 +142,7 @@ TEST_F(CommandsTest, NewScenarioPassesItsCheckAndItsTestOnTheSimulatorToo) {
   EXPECT_NE(tested.out.find("3 passed, 0 failed"), std::string::npos) << tested.out;
 }
 
-TEST_F(CommandsTest, NewNeverOverwritesAndTakesPlainNamesOnly) {
+TEST_F(CommandsTest, NewNeverOverwritesAndAcceptsOnlyPlainNames) {
   const std::string before = read_whole_file(scripts_ / "behaviors/orientation.lua").value();
   for (const char* name : {"orientation", "../escape", "Big", "with space", "", "1st", "a/b"}) {
     EXPECT_EQ(run({"new", "behavior", name}).code, kBadInput) << name;
@@ -163,14 +163,14 @@ TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
   EXPECT_EQ(listed.out.find("head_scan"), std::string::npos);
 }
 
-TEST_F(CommandsTest, ParamsListsThoseOfTheCoreTheSimulatorAndTheScenarios) {
+TEST_F(CommandsTest, ParamsListsParametersOfTheCoreTheSimulatorAndTheScenarios) {
   const ProgramRun listed = run({"params"});
   for (const char* name : {"pose_filter.", "room_status.", "posture.", "arbiter.flip_cooldown", "body.",
                            "script.max_memory", "mirrored_placement.learn", "walk.speed"})
     EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
 }
 
-TEST_F(CommandsTest, ParamsSendsNoTerminalWhatItWouldObey) {
+TEST_F(CommandsTest, ParamsSendsNoControlCharactersToATerminal) {
   std::ofstream(scripts_ / "behaviors/odd.lua") << "param { x = { 1, range = { 0, 2 }, unit = \"m\\27[1m\", doc = "
                                                    "\"how\\nodd\\27[2J \\xFF\" } }\nbehavior \"odd\" {}\n";
   const ProgramRun listed = run({"params", "odd."});
@@ -190,7 +190,7 @@ TEST_F(CommandsTest, ParamsSavesOverridesThatARunLoads) {
   EXPECT_NE(again.out.find("file"), std::string::npos) << again.out;
 }
 
-TEST_F(CommandsTest, ParamsTakesThePresetsByTheirNames) {
+TEST_F(CommandsTest, ParamsAcceptsPresetsByName) {
   const ProgramRun paper = run({"params", "--changed", "--params", "paper"});
   EXPECT_EQ(paper.code, kSuccess) << paper.err;
   for (const char* changed :
@@ -208,7 +208,7 @@ TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
   EXPECT_EQ(run({"params", "--set", "orientation.lingering=2"}).code, kBadInput);
 }
 
-TEST_F(CommandsTest, ARunSavesWhatWasTuned) {
+TEST_F(CommandsTest, ARunSavesChangedParameters) {
   const std::string file = path("tuned.toml");
   run_shortly({"--scripts", scripts_.string(), "--set", "head_scan.speed=2.5", "--save-params", file});
   const std::string saved = read_whole_file(file).value_or("");
@@ -236,7 +236,7 @@ TEST_F(CommandsTest, OneFileOfParametersServesARobotInAllItsScenarios) {
   EXPECT_NE(misspelt.err.find("did you mean 'kidnapped.learn'?"), std::string::npos) << misspelt.err;
 }
 
-TEST_F(CommandsTest, AModuleThatIsLoadedWithoutParametersHasNone) {
+TEST_F(CommandsTest, ALoadedModuleWithoutParametersAcceptsNone) {
   std::ofstream(scripts_ / "behaviors/careful.lua") << "behavior \"careful\" {}\n";
   folder_.write("team.toml", "[careful]\nlead = 1\n");
   const std::vector<std::string> words{"--scripts", scripts_.string(), "--params", path("team.toml")};
@@ -258,7 +258,7 @@ TEST_F(CommandsTest, EndsSoonWithThousandsOfUnknownParameters) {
   EXPECT_EQ(run({"params", "--params", path("misspelt.toml")}).code, kBadInput);
 }
 
-TEST_F(CommandsTest, AScenarioChoosesWhereItTakesPlaceUnlessTheCommandLineDoes) {
+TEST_F(CommandsTest, AScenarioChoosesItsRoomUnlessTheCommandLineDoes) {
   const std::string scenario =
       R"(scenario "elsewhere" { behaviors = { "head_scan" }, WHERE initial = "a", state "a" {} })";
   const auto write = [&](const std::string& where) {
@@ -291,7 +291,7 @@ TEST_F(CommandsTest, AScenarioChoosesWhereItTakesPlaceUnlessTheCommandLineDoes) 
       std::string::npos);
 }
 
-TEST_F(CommandsTest, ASimulatedTestChoosesWhereItTakesPlace) {
+TEST_F(CommandsTest, ASimulatedTestChoosesItsRoom) {
   const auto result = [&](const std::string& where) {
     folder_.write(
         "scripts/tests/place_test.lua",
@@ -313,7 +313,7 @@ TEST_F(CommandsTest, TestWritesAReportAndCoverage) {
   EXPECT_EQ(run({"test", "--junit", path("no/folder/x")}).code, kBadInput);
 }
 
-TEST_F(CommandsTest, TestTellsTheCoverageAlsoWhereTheReportCannotBeWritten) {
+TEST_F(CommandsTest, TestPrintsTheCoverageAlsoIfTheReportCannotBeWritten) {
   const ProgramRun tested =
       run({"test", "--coverage", "--junit", "/dev/full", (scripts_ / "tests/get_up_test.lua").string()});
   EXPECT_EQ(tested.code, kBadInput);

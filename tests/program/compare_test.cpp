@@ -70,7 +70,7 @@ TEST_F(CompareTest, LeavesOutRowsThatArePooledOverRooms) {
   EXPECT_EQ(run.out.find("room all"), std::string::npos) << run.out;
 }
 
-TEST_F(CompareTest, TellsWhatChangedInPairs) {
+TEST_F(CompareTest, ReportsDifferencesInPairs) {
   const std::string after = table("after", "[" + row(kDefault, kSlow) + "]");
   const ProgramRun done = compare({before, after});
   EXPECT_EQ(done.code, kSuccess) << done.err;
@@ -83,7 +83,7 @@ TEST_F(CompareTest, TellsWhatChangedInPairs) {
   EXPECT_NE(done.out.find("\nmode paper: only in A\n"), std::string::npos) << done.out;
 }
 
-TEST_F(CompareTest, TellsChoicesOfAnAxisWithinOneTable) {
+TEST_F(CompareTest, ComparesChoicesOfAnAxisWithinOneTable) {
   const ProgramRun done = compare({before, "--axis", "mode", "--from", "paper", "--to", "default"});
   EXPECT_EQ(done.code, kSuccess) << done.err;
   EXPECT_TRUE(done.out.starts_with("A: mode paper\nB: mode default\n\n")) << done.out;
@@ -97,7 +97,7 @@ TEST_F(CompareTest, TellsChoicesOfAnAxisWithinOneTable) {
   expect_refused({before}, "expected two tables, or one with --axis");
 }
 
-TEST_F(CompareTest, TellsSeedsWithoutAPartner) {
+TEST_F(CompareTest, ReportsTrialsWithoutAPartner) {
   const std::string after = table("after", "[" + row(kDefault, outcome(2, "3.0") + "," + outcome(7, "1.0")) + "]");
   EXPECT_NE(
       compare({before, after}).out.find("mode default: 3 trials without a trial of the same seed in the other row\n"),
@@ -108,7 +108,7 @@ TEST_F(CompareTest, TellsSeedsWithoutAPartner) {
   expect_refused({before, stranger}, "stranger.json: expected a row with the same choices as one of");
 }
 
-TEST_F(CompareTest, PairsRowsWhateverTheOrderOfTheirAxes) {
+TEST_F(CompareTest, PairsRowsInAnyOrderOfTheirAxes) {
   const std::string one = table("one", "[" + row(R"("mode": "m", "light": "l", )", kFast) + "]");
   const std::string two = table("two", "[" + row(R"("light": "l", "mode": "m", )", kFast) + "]");
   const ProgramRun done = compare({one, two});
@@ -116,7 +116,7 @@ TEST_F(CompareTest, PairsRowsWhateverTheOrderOfTheirAxes) {
   EXPECT_NE(done.out.find("+0.0 [+0.0, +0.0]"), std::string::npos) << done.out;
 }
 
-TEST_F(CompareTest, RefusesWhatIsNoTable) {
+TEST_F(CompareTest, RefusesInvalidTables) {
   const std::string good = row(kDefault, kFast);
   const std::pair<std::string, std::string> kBad[] = {
       {"", "expected JSON, found invalid or truncated text"},
@@ -161,7 +161,7 @@ TEST_F(CompareTest, RefusesWhatIsNoTable) {
   expect_refused({before, ""}, "second");
 }
 
-TEST_F(CompareTest, SaysNamesOfPeopleOnOneLine) {
+TEST_F(CompareTest, PrintsAnyNameOnOneLine) {
   const std::string hostile = "[" + row(R"("m\u001b\n": "\u001b[31m<b>", )", kFast) + "]";
   const ProgramRun done = compare({table("one", hostile), table("two", hostile)});
   EXPECT_EQ(done.code, kSuccess) << done.err;
@@ -169,7 +169,7 @@ TEST_F(CompareTest, SaysNamesOfPeopleOnOneLine) {
   EXPECT_NE(done.out.find("\nm\\x1B \\x1B[31m<b>  "), std::string::npos) << done.out;
 }
 
-TEST_F(CompareTest, SurvivesWhateverIsDoneToATable) {
+TEST_F(CompareTest, SurvivesRandomChangesOfATable) {
   const std::string good = read_text(before);
   Random random(5);
   for (int i = 0; i < 300; ++i) {
@@ -182,7 +182,7 @@ TEST_F(CompareTest, SurvivesWhateverIsDoneToATable) {
   }
 }
 
-TEST_F(CompareTest, IsNotInTheWayOfAnExperimentOfThatName) {
+TEST_F(CompareTest, DoesNotHideAnExperimentOfThatName) {
   folder.write("compare.toml", "title = 3");
   const ProgramRun done = run_reorient({"experiment", (folder.path() / "compare.toml").string()});
   EXPECT_EQ(done.code, kBadInput);

@@ -36,7 +36,7 @@ class CompassExperiment : public ShortExperiment {
   CompassExperiment() { folder.write("short.toml", kCompared); }
 };
 
-TEST_F(CompassExperiment, GivesARowForEachMethod) {
+TEST_F(CompassExperiment, PrintsARowForEachMethod) {
   const ProgramRun done =
       run({"--out", path("out"), "--json", path("rows.json"), "--report", path("report"), "--jobs", "2"});
   ASSERT_EQ(done.code, kSuccess) << done.err;
@@ -69,13 +69,13 @@ TEST_F(CompassExperiment, GivesARowForEachMethod) {
   EXPECT_EQ(table("alone"), read_text(path("rows.json")));
 }
 
-TEST_F(CompassExperiment, TakesAPeersParametersAndRefusesThoseThatItDoesNotHave) {
+TEST_F(CompassExperiment, AcceptsAPeersParametersAndRefusesUnknownOnes) {
   expect_refused({"--set", "tile_row_compass.colums=24"}, "tile_row_compass.columns");
   expect_refused({"--set", "horizon_compass.band=-1"}, "horizon_compass.band");
   EXPECT_EQ(run({"--out", path("out"), "--trials", "1", "--set", "tile_row_compass.columns=24"}).code, kSuccess);
 }
 
-TEST_F(CompassExperiment, TeachesTheMirroredPoseForAsLongAsItIsSet) {
+TEST_F(CompassExperiment, LearnsTheMirroredPoseForTheGivenTime) {
   EXPECT_EQ(run({"--out", path("out"), "--json", path("rows.json"), "--set", "comparison.learn_mirrored=600"}).code,
             kSuccess);
   const auto rows = nlohmann::json::parse(read_text(path("rows.json")));
@@ -101,7 +101,7 @@ TEST_F(CompassExperiment, ShowsRightPosesBeforeAKidnapping) {
   EXPECT_EQ(rows[0]["false_flipped_3s"], 0.0);
 }
 
-TEST_F(CompassExperiment, AsksARobotThatWasCarriedToItsMirroredPose) {
+TEST_F(CompassExperiment, MeasuresARobotThatWasCarriedToItsMirroredPose) {
   std::string text = kCompared;
   const auto replace = [&text](const std::string& old, const std::string& with) {
     text.replace(text.find(old), old.size(), with);
@@ -118,7 +118,7 @@ TEST_F(CompassExperiment, AsksARobotThatWasCarriedToItsMirroredPose) {
   EXPECT_EQ(rows[0]["auc_3s"], 1.0);
 }
 
-TEST_F(CompassExperiment, RefusesAPeersParametersWhereNothingIsCompared) {
+TEST_F(CompassExperiment, RefusesAPeersParametersWithoutAComparison) {
   std::string text = kCompared;
   text.replace(text.find("compasses = true"), 16, "compasses = false");
   folder.write("short.toml", text);
@@ -126,7 +126,7 @@ TEST_F(CompassExperiment, RefusesAPeersParametersWhereNothingIsCompared) {
                  "tile_row_compass.columns");
 }
 
-TEST_F(CompassExperiment, RefusesAnAxisThatIsCalledAsANumber) {
+TEST_F(CompassExperiment, RefusesAnAxisWithTheNameOfAColumn) {
   folder.write("short.toml", std::string(kCompared) + "[[axis]]\nname = \"looks\"\n[[axis.choice]]\nname = \"a\"\n");
   expect_refused({"--out", path("out")}, "looks");
 }

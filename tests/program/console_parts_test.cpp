@@ -57,7 +57,7 @@ TEST_F(Keys, AreIgnoredIfUnknown) {
   EXPECT_EQ(of("\x1B[" + std::string(1000, '1') + "A").back(), "A") << "no end";
 }
 
-TEST(NamePattern, AStarStandsForAnyLetters) {
+TEST(NamePattern, AStarMatchesAnyLetters) {
   EXPECT_TRUE(matches("pose.*", "pose.x"));
   EXPECT_TRUE(matches("*.current", "confidence.current"));
   EXPECT_TRUE(matches("*o*e*", "pose"));
@@ -69,7 +69,7 @@ TEST(NamePattern, AStarStandsForAnyLetters) {
   EXPECT_FALSE(matches(hard + "b", std::string(1000, 'a'))) << "and it takes no time";
 }
 
-TEST(NamePattern, PicksTheNameItselfBeforeThoseItIsAPartOf) {
+TEST(NamePattern, PrefersTheExactName) {
   const Strings names{"a.lead", "a.lead_time", "b.lead"};
   EXPECT_EQ(pick("a.lead", names, "name"), (std::vector<std::size_t>{0}));
   EXPECT_EQ(pick("lead", names, "name"), (std::vector<std::size_t>{0, 1, 2}));
@@ -78,7 +78,7 @@ TEST(NamePattern, PicksTheNameItselfBeforeThoseItIsAPartOf) {
   EXPECT_THROW(pick("c.*", names, "name"), std::runtime_error);
 }
 
-TEST(Printable, HoldsNothingThatATerminalObeys) {
+TEST(Printable, ContainsNoControlCharacters) {
   EXPECT_EQ(printable("für\x1B[2J\x7F\xFF"), "für\\x1B[2J\\x7F\\xFF");
   EXPECT_EQ(printable("\xC2\x9B"
                       "2J\xC2\xA7"),
@@ -104,7 +104,7 @@ class HistoryFile : public ::testing::Test {
   const std::filesystem::path file = folder.path() / "reorient" / "history";
 };
 
-TEST_F(HistoryFile, LiesInTheFolderForState) {
+TEST_F(HistoryFile, IsInTheFolderForState) {
   const char* const home = std::getenv("HOME");
   const std::string before = home == nullptr ? "" : home;
   setenv("HOME", "/home/user", 1);
@@ -119,7 +119,7 @@ TEST_F(HistoryFile, LiesInTheFolderForState) {
   if (home != nullptr) setenv("HOME", before.c_str(), 1);
 }
 
-TEST_F(HistoryFile, HoldsTheLinesOfAllRuns) {
+TEST_F(HistoryFile, ContainsTheLinesOfAllRuns) {
   EXPECT_EQ(read_history(file), Strings());
   append_history(file, {"states", "why orientation"});
   append_history(file, {"why orientation", "diff"});
@@ -127,7 +127,7 @@ TEST_F(HistoryFile, HoldsTheLinesOfAllRuns) {
   EXPECT_EQ(std::filesystem::status(file.parent_path()).permissions(), std::filesystem::perms::owner_all);
 }
 
-TEST_F(HistoryFile, ForgetsTheOldest) {
+TEST_F(HistoryFile, RemovesTheOldestLines) {
   for (int run = 0; run < 3; ++run) {
     Strings lines;
     for (int i = 0; i < 300; ++i) lines.push_back("set a.b " + std::to_string(1000 * run + i));
@@ -141,13 +141,13 @@ TEST_F(HistoryFile, ForgetsTheOldest) {
   EXPECT_EQ(read_text(file), "states\ndiff\n");
 }
 
-TEST_F(HistoryFile, LeavesOutWhatNoPromptHasWritten) {
+TEST_F(HistoryFile, IgnoresLinesThatNoPromptWrote) {
   folder.write("reorient/history",
                std::string("states\n\x1B[2J\n\0\0\n\xFF\n", 17) + std::string(2000, 'x') + "\n\ndiff");
   EXPECT_EQ(read_history(file), (Strings{"states", "diff"}));
 }
 
-TEST_F(HistoryFile, WritesToNothingButAPlainFile) {
+TEST_F(HistoryFile, WritesOnlyToAPlainFile) {
   std::filesystem::create_directories(file);
   EXPECT_NE(refusal().find("expected a plain file, found another type of file"), std::string::npos) << refusal();
   std::filesystem::remove(file);

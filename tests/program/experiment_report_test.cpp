@@ -61,21 +61,21 @@ TEST_F(ExperimentReport, IsAPageWithAllTrialsBesideIt) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
 }
 
-TEST_F(ExperimentReport, TellsNothingOfTheMachineInItsRows) {
+TEST_F(ExperimentReport, ContainsNothingAboutTheMachineInItsRows) {
   ASSERT_EQ(run({"--report", path("report")}).code, kSuccess);
   EXPECT_NE(read_text(path("report/index.html")).find(" cores"), std::string::npos);
   for (const char* name : {"report/rows.json", "report/trials.json", "report/trials.csv"})
     EXPECT_EQ(read_text(path(name)).find("cores"), std::string::npos) << name;
 }
 
-TEST_F(ExperimentReport, SaysHowToMakeItAgainForAShell) {
+TEST_F(ExperimentReport, ShowsTheShellCommandThatRepeatsIt) {
   ASSERT_EQ(run({"--report", path("it's here"), "--trials", "1"}).code, kSuccess);
   const std::string page = read_text(path("it's here/index.html"));
   EXPECT_NE(page.find("short.toml --trials 1 --seed 1 --out " + path("out") + " --report &#39;" + path("it")),
             std::string::npos);
 }
 
-TEST_F(ExperimentReport, LosesNothingElseWhereOneOutputCannotBeWritten) {
+TEST_F(ExperimentReport, WritesTheOtherOutputsIfOneCannotBeWritten) {
   std::filesystem::create_directories(path("report/trials.csv/in the way"));
   const ProgramRun done = run({"--report", path("report"), "--json", path("rows.json")});
   EXPECT_EQ(done.code, kBadInput);
@@ -85,7 +85,7 @@ TEST_F(ExperimentReport, LosesNothingElseWhereOneOutputCannotBeWritten) {
     EXPECT_TRUE(std::filesystem::is_regular_file(path(name))) << name;
 }
 
-TEST_F(ExperimentReport, RefusesAFolderThatCannotBeOneBeforeItRunsAnything) {
+TEST_F(ExperimentReport, RefusesAnUnusableFolderBeforeItRunsAnything) {
   folder.write("taken", "");
   const ProgramRun done = run({"--report", path("taken")});
   EXPECT_EQ(done.code, kBadInput);

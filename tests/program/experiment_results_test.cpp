@@ -49,7 +49,7 @@ struct Unusual {
   void operator()(const char*, std::optional<Reorientation>& value) const { value = Reorientation::purge_reflection; }
 };
 
-TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
+TEST(TaskResultsTest, AreReadAsWrittenInEachValue) {
   const TemporaryFolder folder;
   const TaskResults results(folder.path());
   TrialResult written;
@@ -95,7 +95,7 @@ TEST(TaskResultsTest, AreReadAsTheyWereWrittenEachValueOfThem) {
   EXPECT_TRUE(read.confidences[0].correct);
 }
 
-TEST_F(ResultsTest, KeepWhatOnlySomeExperimentsMeasure) {
+TEST_F(ResultsTest, ContainWhatOnlySomeExperimentsMeasure) {
   folder.write("short.toml", R"(title = "Carried"
 trials = 1
 [condition]
@@ -112,7 +112,7 @@ hold = 0.5
   EXPECT_NE(rows.find("\"displaced_trials\": 1,"), std::string::npos) << rows;
 }
 
-TEST(TaskResultsTest, OfWhichABitIsAnotherOrTheEndIsMissingAreRefused) {
+TEST(TaskResultsTest, WithAFlippedBitOrWithoutTheEndAreRefused) {
   constexpr std::uint64_t kOrigin = 0x1234;
   const TemporaryFolder folder;
   const TaskResults results(folder.path());
@@ -137,7 +137,7 @@ TEST(TaskResultsTest, OfWhichABitIsAnotherOrTheEndIsMissingAreRefused) {
   }
 }
 
-TEST_F(ResultsTest, OfAnotherTaskAreRefusedAndStay) {
+TEST_F(ResultsTest, OfAnotherTaskAreRefusedAndNotChanged) {
   ASSERT_EQ(run({"--out", path("out"), "--tasks", "1-2"}).code, kSuccess);
   std::filesystem::copy_file(result("out", 2), result("out", 3));
   expect_refused({"--out", path("out"), "--resume"},
@@ -175,7 +175,7 @@ TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
   expect_refused(in_hall("1"), "000001.json: expected the result of this trial, found that of another");
 }
 
-TEST_F(ResultsTest, AreNotMadeWithScriptsThatChangedMeanwhile) {
+TEST_F(ResultsTest, AreNotMixedFromScriptsThatChanged) {
   SessionOptions options;
   options.experiment = file.string();
   options.scripts = copy_scripts(folder.path());
@@ -188,7 +188,7 @@ TEST_F(ResultsTest, AreNotMadeWithScriptsThatChangedMeanwhile) {
   EXPECT_FALSE(session.result(2));
 }
 
-TEST_F(ResultsTest, ThatVanishAreMissed) {
+TEST_F(ResultsTest, ThatDisappearAreReported) {
   SessionOptions options;
   options.experiment = file.string();
   options.out = path("out");
@@ -250,7 +250,7 @@ bool crash_first_trial(const ChildProgram& program, const std::filesystem::path&
   return is_in_time;
 }
 
-TEST_F(ResultsTest, OfTheOthersAreThereWhereATrialCrashes) {
+TEST_F(ResultsTest, OfOtherTrialsAreWrittenIfATrialCrashes) {
   if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "no /proc here";
   const std::string all = table("whole");
   std::optional<ChildProgram> program;
@@ -277,7 +277,7 @@ TEST_F(ResultsTest, OfTheOthersAreThereWhereATrialCrashes) {
   EXPECT_EQ(table("out", {"--resume"}), all);
 }
 
-TEST_F(ResultsTest, AreKeptWhereTheDiskIsFull) {
+TEST_F(ResultsTest, AreNotLostIfTheDiskIsFull) {
   const std::string all = table("whole");
   std::filesystem::create_directory(path("out"));
   const std::string kept = path("kept");
@@ -295,7 +295,7 @@ TEST_F(ResultsTest, AreKeptWhereTheDiskIsFull) {
   EXPECT_EQ(table("kept", {"--resume"}), all);
 }
 
-TEST_F(ResultsTest, ThatMayNotBeWrittenAreToldBeforeAnythingRuns) {
+TEST_F(ResultsTest, ThatCannotBeWrittenAreReportedBeforeAnythingRuns) {
   using std::filesystem::perms;
   std::filesystem::permissions(folder.path(), perms::all);
   std::filesystem::create_directory(path("out"));

@@ -26,7 +26,7 @@ std::string backwards(const std::string& text) {
 
 using ExperimentTest = ShortExperiment;
 
-TEST_F(ExperimentTest, TellsARowForEachCell) {
+TEST_F(ExperimentTest, PrintsARowForEachCell) {
   const ProgramRun done = run({"--out", path("out")});
   EXPECT_EQ(done.code, kSuccess) << done.err;
   EXPECT_TRUE(done.out.starts_with("Who is right?\n")) << done.out;
@@ -34,7 +34,7 @@ TEST_F(ExperimentTest, TellsARowForEachCell) {
     EXPECT_NE(done.out.find(text), std::string::npos) << done.out;
 }
 
-TEST_F(ExperimentTest, GivesTheSameJsonInOneAndInSeveralProcesses) {
+TEST_F(ExperimentTest, WritesTheSameJsonFromOneAndFromSeveralProcesses) {
   const std::string alone = table("one");
   EXPECT_NE(alone.find("\"mode\": \"none\",\n    \"trials\": 2"), std::string::npos) << alone;
   EXPECT_EQ(table("two", {"--jobs", "2"}), alone);
@@ -81,7 +81,7 @@ TEST_F(ExperimentTest, RunsPartOfItsTasks) {
                  "expected a list of tasks, as in 17, 1-64 or 1-64,70, found '1-'");
 }
 
-TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
+TEST_F(ExperimentTest, RefusesInvalidOptionsBeforeItRunsAnything) {
   const std::string out = path("out");
   folder.write("short.toml", std::string(kShort) + "widht = 160\n");
   expect_refused({"--out", out}, "short.toml:17: unknown key 'widht' (did you mean 'width'?)");
@@ -99,7 +99,7 @@ TEST_F(ExperimentTest, RefusesWhatCannotBeRunBeforeItRunsAnything) {
   EXPECT_NE(unknown.err.find("did you mean 'mirrored_placement'?"), std::string::npos) << unknown.err;
 }
 
-TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
+TEST_F(ExperimentTest, RunsTheRequestedChoices) {
   const std::string one = table("one", {"--mode", "none", "--trials", "1"});
   EXPECT_EQ(one.find("\"default\""), std::string::npos) << one;
   EXPECT_NE(one.find("\"mode\": \"none\""), std::string::npos) << one;
@@ -114,7 +114,7 @@ TEST_F(ExperimentTest, TakesTheChoicesThatAreAskedFor) {
   expect_refused({"--mode", mine.string()}, "eager.toml:2: unknown key 'limti'");
 }
 
-TEST_F(ExperimentTest, TakesRoomsInsteadOfTheFilesOwn) {
+TEST_F(ExperimentTest, RunsTheGivenRoomsInsteadOfTheFilesRooms) {
   const std::string halls = table("out", {"--rooms", "hall", "--mode", "none", "--trials", "1"});
   EXPECT_NE(halls.find("\"room\": \"hall\""), std::string::npos) << halls;
   expect_refused({"--rooms", "hall", "hall"}, "--rooms: expected different rooms, found hall twice");
@@ -131,7 +131,7 @@ TEST_F(ExperimentTest, ShowsATrialAloneWithPictures) {
   expect_refused({"--pictures", path("pictures")}, "--trial");
 }
 
-TEST_F(ExperimentTest, ShowsATrialAloneWithTheRoomThatWasLearnedOnAnotherDay) {
+TEST_F(ExperimentTest, ShowsATrialAloneWithARoomLearnedOnAnotherDay) {
   folder.write("short.toml", R"(title = "Who remembers?"
 trials = 1
 [condition]
@@ -150,7 +150,7 @@ hold = 3.0
   EXPECT_NE(shown.out.find("corrected by a command after: 0."), std::string::npos) << shown.out;
 }
 
-TEST_F(ExperimentTest, TellsWhichTrialsWereNeverMeasured) {
+TEST_F(ExperimentTest, ReportsTrialsThatWereNeverMeasured) {
   std::string text = kShort;
   const std::string from = "measured_from = \"learning\"";
   folder.write("short.toml", text.replace(text.find(from), from.size(), "measured_from = \"mirrored\""));
@@ -164,14 +164,14 @@ TEST_F(ExperimentTest, TellsWhichTrialsWereNeverMeasured) {
             std::string::npos);
 }
 
-TEST_F(ExperimentTest, StopsAtAMistakeThatOnlyATrialFinds) {
+TEST_F(ExperimentTest, StopsAtAMistakeThatAppearsInATrial) {
   const std::string room = folder.write("room.png", "no picture").string();
   folder.write("short.toml", std::string(kShort) + "room = \"" + room + "\"\n");
   expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000002.json")) << "what is done is kept";
 }
 
-TEST_F(ExperimentTest, TellsAFullDisk) {
+TEST_F(ExperimentTest, ReportsAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const ProgramRun done = run({"--out", path("out"), "--trials", "1", "--json", "/dev/full"});
   EXPECT_EQ(done.code, kBadInput);
@@ -179,7 +179,7 @@ TEST_F(ExperimentTest, TellsAFullDisk) {
 }
 
 /// REORIENT_INTERRUPTIONS=100 for as many.
-TEST_F(ExperimentTest, GoesOnWhereItWasKilled) {
+TEST_F(ExperimentTest, ResumesAfterItWasKilled) {
   const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
   const int count = wanted == nullptr ? 3 : std::atoi(wanted);
   const std::string all = table("whole");

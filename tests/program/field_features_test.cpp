@@ -13,7 +13,7 @@
 namespace reorient {
 namespace {
 
-TEST(FieldFeaturesExperiment, TellsWhatIsFoundOfEachKind) {
+TEST(FieldFeaturesExperiment, ReportsWhatIsFoundOfEachType) {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "f.json").string();
   const auto run = [&](const std::string& seed) {
@@ -39,7 +39,7 @@ TEST(FieldFeaturesExperiment, TellsWhatIsFoundOfEachKind) {
   EXPECT_EQ(run("3").out, first.out) << "one seed, one table";
 }
 
-TEST(FieldFeaturesExperiment, RefusesWhatItDoesNotKnow) {
+TEST(FieldFeaturesExperiment, RefusesUnknownNames) {
   const auto complaint = [](const std::vector<std::string>& more) {
     std::vector<std::string> words{"experiment", "field_features", "--places", "1"};
     words.insert(words.end(), more.begin(), more.end());

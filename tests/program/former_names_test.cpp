@@ -75,7 +75,7 @@ TEST(FormerNames, OfATableAndOfFieldsStillWorkInScripts) {
     EXPECT_NE(run.err.find(name), std::string::npos) << name << " in " << run.err;
 }
 
-TEST(FormerNames, OfAScenarioThatATeamStillHasIsTheirs) {
+TEST(FormerNames, OfAScenarioRefersToTheTeamsOwnScenarioIfItExists) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/scenarios/turned_round.lua", R"(local p = param { learn = { 1.0, range = { 0, 9 }, doc = "x" } }
@@ -87,7 +87,7 @@ scenario "turned_round" { initial = "a", state "a" {
   EXPECT_EQ(run.err.find("former name"), std::string::npos) << run.err;
 }
 
-TEST(FormerNames, OfAFieldSetItInAScriptedTest) {
+TEST(FormerNames, OfAFieldIsAcceptedInAScriptedTest) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/tests/old_test.lua", R"(test("a former name", function()
@@ -138,7 +138,7 @@ TEST(FormerNames, OfARenamedParameterSetsThePresentOne) {
       << former.err;
 }
 
-TEST(FormerNames, OfATableIsAFindingOfTheCheck) {
+TEST(FormerNames, OfATableIsReportedByTheCheck) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/scenarios/old.lua",

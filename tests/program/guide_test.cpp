@@ -143,7 +143,7 @@ class Guide : public ::testing::TestWithParam<Page> {
   TemporaryFolder folder_;
 };
 
-TEST_P(Guide, ShowsWhatReallyHappens) {
+TEST_P(Guide, ShowsTheRealOutput) {
   int commands = 0;
   for (const Block& block : blocks_of(kProjectFolder / GetParam().file)) {
     if (block.kind == "console") {

@@ -110,7 +110,7 @@ TEST(Help, HasTwoToFiveExamplesOfItsOwnCommand) {
   }
 }
 
-TEST(Help, ContainsNothingThatOnlyTheParserUnderstands) {
+TEST(Help, ContainsNoTermsOfTheParser) {
   const std::regex artifact(R"(\{|\bin \[|\b(TEXT|INT|FLOAT|UINT)\b|Needs:|Excludes:|REQUIRED|Positionals|=\[)");
   for (const CommandPath& words : all_pages()) {
     const std::string page = help_of(words);

@@ -37,7 +37,7 @@ class OpenedFile {
 
 class InterruptedBy : public InterruptedRun, public ::testing::WithParamInterface<int> {};
 
-TEST_P(InterruptedBy, TellsAndWritesWhatThereIs) {
+TEST_P(InterruptedBy, WritesAllOutputsOfTheUnfinishedRun) {
   for (const bool realtime : {false, true}) {
     SCOPED_TRACE(realtime);
     ChildProgram run(folder.path(),
@@ -57,7 +57,7 @@ TEST_P(InterruptedBy, TellsAndWritesWhatThereIs) {
   }
 }
 
-TEST_P(InterruptedBy, TellsTheTestsThatRan) {
+TEST_P(InterruptedBy, ReportsTheTestsThatRan) {
   const std::filesystem::path opened = folder.write("opened.mcap", "no recording");
   folder.write("a_test.lua", "local opened = '" + opened.string() + "'\n" + R"(test("a", function() advance(1) end)
 test("b", function()
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, InterruptedBy, ::testing::Values(SIGINT, SIGTE
   return std::string(signal.param == SIGINT ? "Int" : signal.param == SIGTERM ? "Term" : "Hup");
 });
 
-TEST_F(InterruptedRun, EndsAtOnceWhereItIsAskedTwice) {
+TEST_F(InterruptedRun, EndsAtOnceAfterTheSecondSignal) {
   ChildProgram run(folder.path(), words());
   ASSERT_TRUE(run.await("patrol: "));
   run.stop();  // so that both have come before it can do anything
@@ -98,7 +98,7 @@ TEST_F(InterruptedRun, EndsAtOnceWhereItIsAskedTwice) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "run.json"));
 }
 
-TEST_F(InterruptedRun, GoesOnWhereTheSignalIsIgnored) {
+TEST_F(InterruptedRun, ContinuesIfTheSignalIsIgnored) {
   ChildProgram run(folder.path(), words({"--seconds", "12"}), [] { std::signal(SIGHUP, SIG_IGN); });  // as nohup does
   ASSERT_TRUE(run.await("patrol: "));
   run.kill(SIGHUP);

@@ -108,7 +108,7 @@ TEST_F(LiveConsoleTest, SetsAParameter) {
   EXPECT_EQ(parameter("tested.level").origin, ParameterOrigin::live);
 }
 
-TEST_F(LiveConsoleTest, TellsWhatIsWrongAndChangesNothing) {
+TEST_F(LiveConsoleTest, ReportsErrorsAndChangesNothing) {
   EXPECT_NE(answer("set tested.level 7").find("0 to 1"), std::string::npos);
   EXPECT_NE(answer("set tested.levle 0.7").find("tested.level"), std::string::npos);
   EXPECT_NE(answer("set tested.level").find("set NAME VALUE"), std::string::npos);
@@ -126,7 +126,7 @@ TEST_F(LiveConsoleTest, ListsParametersAndStates) {
   EXPECT_NE(answer("help").find("save FILE"), std::string::npos);
 }
 
-TEST_F(LiveConsoleTest, SavesWhatWasTuned) {
+TEST_F(LiveConsoleTest, SavesChangedParameters) {
   answer("set tested.level 0.25");
   const std::filesystem::path file = folder.path() / "tuned.toml";
   EXPECT_NE(answer("save " + file.string()).find("written"), std::string::npos);
@@ -207,7 +207,7 @@ TEST_F(LiveConsoleTest, TakesOneCommandAFrame) {
   }
 }
 
-TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
+TEST_F(LiveConsoleTest, SurvivesBytesThatAreNotText) {
   type(std::string("set \0 1\n", 8));
   EXPECT_EQ(poll(), "  expected text, found a line with zero bytes\n");
   EXPECT_EQ(answer("set \x80\xFF 1"), "  unknown parameter '\\x80\\xFF'\n");
@@ -218,7 +218,7 @@ TEST_F(LiveConsoleTest, SurvivesBytesThatAreNoText) {
 
 // ---- parameters
 
-TEST_F(LiveConsoleTest, TakesChangesBackOneByOne) {
+TEST_F(LiveConsoleTest, UndoesChangesOneByOne) {
   EXPECT_EQ(answer("undo"), "  no change to undo\n");
   answer("set tested.level 0.25");
   answer("set scene.pace 2");
@@ -232,7 +232,7 @@ TEST_F(LiveConsoleTest, TakesChangesBackOneByOne) {
   EXPECT_EQ(answer("undo"), "  no change to undo\n");
 }
 
-TEST_F(LiveConsoleTest, TellsWhatDiffersFromTheDefaults) {
+TEST_F(LiveConsoleTest, ListsParametersThatDifferFromTheDefaults) {
   EXPECT_EQ(answer("diff"), "  all parameters have their defaults\n");
   answer("set tested.level 0.25");
   answer("set scene.pace 2");
@@ -257,7 +257,7 @@ TEST_F(LiveConsoleTest, ShowsTheWorldAsBehaviorsSeeIt) {
   EXPECT_EQ(answer("world pose.z"), "  unknown world value 'pose.z' (did you mean 'pose.x'?)\n");
 }
 
-TEST_F(LiveConsoleTest, TellsAWatchedValueWhenItChanges) {
+TEST_F(LiveConsoleTest, PrintsAWatchedValueWhenItChanges) {
   EXPECT_NE(answer("watch").find("no watched values"), std::string::npos);
   EXPECT_EQ(answer("watch robot.head_yaw"), "  0.07 s  robot.head_yaw = 0.000 rad\n");
   EXPECT_EQ(polls(30), "");
@@ -273,7 +273,7 @@ TEST_F(LiveConsoleTest, TellsAWatchedValueWhenItChanges) {
   EXPECT_EQ(polls(60), "");
 }
 
-TEST_F(LiveConsoleTest, TellsEachOfManyWatchedValuesAtMostTwiceASecond) {
+TEST_F(LiveConsoleTest, PrintsEachWatchedValueAtMostTwiceASecond) {
   answer("watch clock.*");
   const std::string said = polls(60);
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 8) << said;  // time and frame; the step does not change
@@ -281,14 +281,14 @@ TEST_F(LiveConsoleTest, TellsEachOfManyWatchedValuesAtMostTwiceASecond) {
 
 // ---- machines
 
-TEST_F(LiveConsoleTest, TellsWhyABehaviorIsWhereItIs) {
+TEST_F(LiveConsoleTest, ExplainsTheStateOfABehavior) {
   EXPECT_EQ(answer("why tested"),
             "  tested: off for 0.0 s\n"
             "    -> on  no, 0.0 of 0.5 s       it is dark (line 5)\n"
             "    -> on  after 0.0 of 3600.0 s  after 3600 s (line 6)\n");
 }
 
-TEST_F(LiveConsoleTest, TellsWhyAConditionHasNotHeldForLongEnough) {
+TEST_F(LiveConsoleTest, ShowsTheDwellTimeOfACondition) {
   loop.inputs.external.referee = RefereeState{.penalized = true};
   polls(7);
   EXPECT_NE(answer("why tested").find("-> on  yes, 0.2 of 0.5 s "), std::string::npos);
@@ -296,13 +296,13 @@ TEST_F(LiveConsoleTest, TellsWhyAConditionHasNotHeldForLongEnough) {
   EXPECT_EQ(answer("why tested"), "  tested: on for 0.8 s\n    no transition leaves this state\n");
 }
 
-TEST_F(LiveConsoleTest, TellsWhyTheScenarioIsWhereItIs) {
+TEST_F(LiveConsoleTest, ExplainsTheStateOfTheScenario) {
   EXPECT_EQ(answer("why scene"),
             "  scene: waiting for 0.0 s\n    -> over  after 0.0 of 3600.0 s  after 3600 s (line 2)\n");
   EXPECT_EQ(answer("why tesetd"), "  unknown machine 'tesetd' (did you mean 'tested'?)\n");
 }
 
-TEST_F(LiveConsoleTest, ChangesNothingByAsking) {
+TEST_F(LiveConsoleTest, DoesNotChangeTheRunByQueries) {
   HandFedLoop undisturbed(kLamp);
   std::vector<std::byte> mine, others;
   undisturbed.step(10);
@@ -312,7 +312,7 @@ TEST_F(LiveConsoleTest, ChangesNothingByAsking) {
   EXPECT_EQ(mine, others);
 }
 
-TEST_F(LiveConsoleTest, ReadsScriptsAgainThoughTheyDidNotChange) {
+TEST_F(LiveConsoleTest, ReloadsUnchangedScripts) {
   EXPECT_EQ(answer("reload tested"), "  behaviors/tested.lua was reloaded\n");
   EXPECT_EQ(answer("reload"), "  behaviors/tested.lua was reloaded\n  scenarios/scene.lua was reloaded\n");
   EXPECT_EQ(answer("reload tsted").substr(0, 23), "  unknown script 'tsted");
@@ -344,14 +344,14 @@ TEST_F(LiveConsoleTest, WaitsInTheRobotsTime) {
   EXPECT_NE(answer("wait -1").find("0 to 36000"), std::string::npos);
 }
 
-TEST_F(LiveConsoleTest, ListsWhatItHelpsWith) {
+TEST_F(LiveConsoleTest, ListsItsCommands) {
   EXPECT_EQ(answer("help why"),
             "  why MACHINE        transitions of a behavior's state, and what their conditions lack\n");
   EXPECT_NE(answer("help wyh").find("did you mean 'why'"), std::string::npos);
   EXPECT_EQ(answer("undo all"), "  expected undo\n");
 }
 
-TEST_F(LiveConsoleTest, CompletesWhatACommandTakes) {
+TEST_F(LiveConsoleTest, CompletesArgumentsOfCommands) {
   CommandTable table(
       {.scenario = &*scenario, .parameters = [this] { return loop.engine->parameters(); }, .scripts = folder.path()});
   loop.step();

@@ -71,7 +71,7 @@ TEST_F(RunWithAModel, CreatesTheFileAndContinuesItInTheNextRun) {
   EXPECT_GE(read_model_file(file).model.known_tiles(), learned.model.known_tiles());
 }
 
-TEST_F(RunWithAModel, ThatLearnsNothingLeavesTheFileAsItIs) {
+TEST_F(RunWithAModel, ThatLearnsNothingDoesNotChangeTheFile) {
   const auto run_for_a_moment = [](std::vector<std::string> more) {
     more.insert(more.begin(), {"run", "--seconds", "0.2", "--width", "160", "--no-pictures", "--log", "off"});
     return run_reorient(more);
@@ -87,7 +87,7 @@ TEST_F(RunWithAModel, ThatLearnsNothingLeavesTheFileAsItIs) {
   EXPECT_EQ(read_text(good), before);
 }
 
-TEST_F(RunWithAModel, TurnsItWhereTheSidesHaveChanged) {
+TEST_F(RunWithAModel, RotatesItIfTheSidesHaveChanged) {
   const SavedModel model = some_model(1);
   SavedModel turned = model;
   turned.rotate_by_180_degrees();
@@ -95,7 +95,7 @@ TEST_F(RunWithAModel, TurnsItWhereTheSidesHaveChanged) {
   EXPECT_EQ(digest_of(run_shortly({"--model", one, "--sides-changed"})), digest_of(run_shortly({"--model", other})));
 }
 
-TEST_F(RunWithAModel, IsRefusedADamagedOne) {
+TEST_F(RunWithAModel, RefusesADamagedModel) {
   const std::vector<test::DamagedModel> all = test::damaged_models();
   EXPECT_GE(all.size(), 48u);
   for (const test::DamagedModel& damaged : all) {
@@ -105,7 +105,7 @@ TEST_F(RunWithAModel, IsRefusedADamagedOne) {
   expect_refused(file_of(test::damaged_models()[1].bytes), {}, "it was not changed; name a new file");
 }
 
-TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
+TEST_F(RunWithAModel, RefusesAModelWithOtherParameters) {
   const std::string good = file_of(some_model(1));
   expect_refused(good, {"--set", "wall.columns=24"},
                  "it was learned with other parameters: wall.columns=48; set the same values with --set, or name "
@@ -115,7 +115,7 @@ TEST_F(RunWithAModel, IsRefusedOneOfAnotherKind) {
   expect_refused(good, {"--no-room-awareness"}, "expected room awareness, found --no-room-awareness");
 }
 
-TEST_F(RunWithAModel, IsRefusedWhatIsNoFile) {
+TEST_F(RunWithAModel, RefusesWhatIsNotAFile) {
   std::filesystem::create_directory(folder.path() / "folder");
   mkfifo((folder.path() / "pipe").c_str(), 0600);
   for (const auto& [name, complaint] : {std::pair("folder", "expected a file, found a folder"),
@@ -132,7 +132,7 @@ TEST_F(RunWithAModel, IsRefusedWhatIsNoFile) {
   EXPECT_NE(alone.err.find("--sides-changed requires --model"), std::string::npos) << alone.err;
 }
 
-TEST_F(RunWithAModel, IsRefusedOneThatMayNotBeRead) {
+TEST_F(RunWithAModel, RefusesAnUnreadableModel) {
   const std::string good = file_of(some_model(1), "hall.model");
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   std::filesystem::permissions(good, std::filesystem::perms::none);
@@ -144,7 +144,7 @@ TEST_F(RunWithAModel, IsRefusedOneThatMayNotBeRead) {
       << run.err();
 }
 
-TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
+TEST_F(RunWithAModel, KeepsOtherOutputsAndTheOldFileIfItCannotBeSaved) {
   SavedModel hardly_learned = some_model(1);
   hardly_learned.learned = 2.0;  // s: too short, so that the robot continues to learn
   const std::string good = file_of(hardly_learned, "hall.model");
@@ -162,7 +162,7 @@ TEST_F(RunWithAModel, KeepsTheRestAndTheFileWhereItCannotBeSaved) {
   EXPECT_EQ(read_text(good), before);
 }
 
-TEST_F(RunWithAModel, SavesItWhereItIsInterrupted) {
+TEST_F(RunWithAModel, SavesItWhenInterrupted) {
   // Ten minutes of the robot: the run does not end before the signal.
   ChildProgram run(folder.path(), {"run", "patrol", "--model", file, "--no-pictures", "--width", "160"});
   ASSERT_TRUE(run.await("  10.0 s  current")) << run.err();
@@ -188,7 +188,7 @@ class ModelKeeperTest : public RunWithAModel {
   }
 };
 
-TEST_F(ModelKeeperTest, LosesLittleWhereTheRobotIsSwitchedOff) {
+TEST_F(ModelKeeperTest, LosesLittleIfTheRobotIsSwitchedOff) {
   const auto saved = [this] { return std::filesystem::exists(file) ? read_model_file(file).learned : 0.0; };
   const SavedModel model = some_model(1);
   ModelKeeper keeper(file, std::nullopt, false);
@@ -201,7 +201,7 @@ TEST_F(ModelKeeperTest, LosesLittleWhereTheRobotIsSwitchedOff) {
   EXPECT_TRUE(await(is_saved_after_a_frame)) << "the run has not ended";
 }
 
-TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhateverTheTeamsDo) {
+TEST_F(ModelKeeperTest, KeepsTheAxesOfTheFileWhenTheTeamsChangeSides) {
   const SavedModel in_the_file = some_model(1);
   SavedModel turned = in_the_file;
   turned.rotate_by_180_degrees();
@@ -236,7 +236,7 @@ TEST_F(ModelKeeperTest, KeepsABiasForTheCalibrationThatItWasLearnedWith) {
   EXPECT_FALSE(as_mounted(std::nullopt, kCalibrated));
 }
 
-TEST_F(ModelKeeperTest, DoesNotForgetWhatTheRunForgot) {
+TEST_F(ModelKeeperTest, KeepsTheRoomThatTheRunForgot) {
   const SavedModel good = some_model(1);
   write_model_file(good, file);
   const std::string before = read_text(file);
@@ -269,7 +269,7 @@ class ModelCommand : public RunWithAModel {
   }
 };
 
-TEST_F(ModelCommand, LeavesWhatIsThereWhereItsOutputCannotBeWritten) {
+TEST_F(ModelCommand, KeepsExistingFilesIfItsOutputCannotBeWritten) {
   const std::string one = file_of(some_model(1), "one.model"), other = file_of(some_model(1, 1), "other.model");
   const std::string out = (folder.path() / "out").string();
   for (const auto& words :
@@ -282,7 +282,7 @@ TEST_F(ModelCommand, LeavesWhatIsThereWhereItsOutputCannotBeWritten) {
   }
 }
 
-TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
+TEST_F(ModelCommand, ShowsAndDrawsTheKnownTiles) {
   const std::string good = file_of(some_model(1, 0, 0.1, 0, 40)), picture = (folder.path() / "hall.png").string();
   const ProgramRun shown = model({good, "--picture", picture});
   EXPECT_EQ(shown.code, kSuccess) << shown.err;
@@ -302,7 +302,7 @@ TEST_F(ModelCommand, ShowsAndDrawsWhatIsKnown) {
   EXPECT_NE(little.out.find("no evidence about the pose"), std::string::npos);
 }
 
-TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
+TEST_F(ModelCommand, ReportsWhereTwoModelsDifferAndWhetherOneIsRotated) {
   const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
   SavedModel half_a_turn_on = some_model(1, 1);
   half_a_turn_on.rotate_by_180_degrees();
@@ -316,7 +316,7 @@ TEST_F(ModelCommand, TellsWhereTwoDifferAndWhetherOneIsTurned) {
   EXPECT_NE(different.out.find("B looks like A rotated by 180 degrees"), std::string::npos) << different.out;
 }
 
-TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
+TEST_F(ModelCommand, MergesTwoModelsUnlessOneIsRotated) {
   const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
   SavedModel half_a_turn_on = some_model(1, 1);
   half_a_turn_on.rotate_by_180_degrees();
@@ -341,7 +341,7 @@ TEST_F(ModelCommand, MergesTwoUnlessOneIsTurned) {
   EXPECT_EQ(read_text(both), merged_bytes);
 }
 
-TEST_F(ModelCommand, TakesNoModelForTwo) {
+TEST_F(ModelCommand, RefusesTheSameModelTwice) {
   const std::string one = file_of(some_model(1), "one"), copy = file_of(some_model(1), "copy");
   const std::string other = file_of(some_model(1, 1), "other"), before = read_text(one);
   expect_bad({"merge", one, one, "--out", one}, "expected two files, found the same one");
@@ -356,7 +356,7 @@ TEST_F(ModelCommand, TakesNoModelForTwo) {
   EXPECT_EQ(same.out.find("differ most"), std::string::npos) << same.out;
 }
 
-TEST_F(ModelCommand, RefusesWhatIsNoModel) {
+TEST_F(ModelCommand, RefusesFilesThatAreNotModels) {
   expect_bad({}, "expected a file that 'reorient run --model FILE' wrote, found none");
   expect_bad({(folder.path() / "none").string()}, "expected a file, found none; name a file that");
   expect_bad({folder.path().string()}, "expected a file, found a folder; name a file that");

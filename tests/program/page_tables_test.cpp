@@ -50,7 +50,7 @@ std::string mistake(const std::string& page) {
   return "none";
 }
 
-TEST(PageTables, AreReplacedAndAllElseStays) {
+TEST(PageTables, AreReplacedAndTheRestOfThePageIsUnchanged) {
   const std::string begin = "# Words\n\n<!-- rows t.json: test, trials, mean_s -->\n";
   const std::string end = "<!-- end of rows -->\n\nMore words.\n";
   const std::string made = filled(begin + "something old\n" + end);
@@ -68,7 +68,7 @@ TEST(PageTables, ShowRatesAndMeansWithTheirIntervals) {
       << made;
 }
 
-TEST(PageTables, ShowOnlyTheRowsThatAreAskedFor) {
+TEST(PageTables, ShowOnlyTheRequestedRows) {
   const std::string made = filled("<!-- rows t.json: test, mode | trials | mode = default -->\n<!-- end of rows -->\n");
   EXPECT_NE(made.find("| head only | default | 100 |"), std::string::npos) << made;
   EXPECT_EQ(made.find("none"), std::string::npos) << made;
@@ -82,7 +82,7 @@ TEST(PageTables, ShowRowsThatHaveOneOfSeveralValues) {
             "line 1: t.json: expected rows with the required values, found none");
 }
 
-TEST(PageTables, SayHowTheirResultsWereMade) {
+TEST(PageTables, NameTheRunOfTheirResults) {
   const std::string made = filled("<!-- rows run.json: trials -->\n<!-- end of rows -->\n");
   EXPECT_NE(
       made.find("\n`reorient experiment table1`; commit abc; seeds 1 to 100; machine a computer; when 2026-11-22\n"),
@@ -90,14 +90,14 @@ TEST(PageTables, SayHowTheirResultsWereMade) {
       << made;
 }
 
-TEST(PageTables, KeepTheEndsOfThePagesLines) {
+TEST(PageTables, KeepTheLineEndingsOfThePage) {
   const std::string page = "Words.\r\n<!-- rows t.json: trials -->\r\nold\r\n<!-- end of rows -->\r\nNo end of this";
   EXPECT_EQ(filled(page),
             "Words.\r\n<!-- rows t.json: trials -->\r\n| trials |\r\n|---|\r\n| 100 |\r\n| 100 |\r\n"
             "<!-- end of rows -->\r\nNo end of this");
 }
 
-TEST(PageTables, LeaveAFileWithoutCommentsAlone) {
+TEST(PageTables, DoNotChangeAFileWithoutComments) {
   for (const char* const text : {"", "no page", "a page\n\nof words\n", "RRmModel\r\n"}) {
     EXPECT_FALSE(has_tables(text)) << text;
     EXPECT_EQ(filled(text), text);
@@ -110,7 +110,7 @@ TEST(PageTables, LeaveAFileWithoutCommentsAlone) {
   EXPECT_EQ(read_text(file), "learned");
 }
 
-TEST(PageTables, OfSeveralPagesAreWrittenOnlyIfAllAreRight) {
+TEST(PageTables, OfSeveralPagesAreWrittenOnlyIfAllAreValid) {
   const TemporaryFolder folder;
   const std::string end = "<!-- end of rows -->\n";
   const std::string begin = "<!-- rows t.json: trials -->\n";
@@ -128,7 +128,7 @@ TEST(PageTables, OfSeveralPagesAreWrittenOnlyIfAllAreRight) {
   EXPECT_EQ(read_text(right), begin + "| trials |\n|---|\n| 100 |\n| 100 |\n" + end);
 }
 
-TEST(PageTables, NameTheLineOfAMistake) {
+TEST(PageTables, ReportTheLineOfAMistake) {
   const std::string end = "\n<!-- end of rows -->\n";
   EXPECT_EQ(mistake("\n<!-- rows t.json: trails -->" + end), "line 2: unknown key 'trails' (did you mean 'trials'?)");
   EXPECT_EQ(mistake("<!-- rows gone.json: trials -->" + end),

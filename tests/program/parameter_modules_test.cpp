@@ -45,7 +45,7 @@ class ParameterModulesTest : public ::testing::Test {
   std::shared_ptr<spdlog::logger> before = spdlog::default_logger();
 };
 
-TEST_F(ParameterModulesTest, KeepsWhatAnotherRunMayLoad) {
+TEST_F(ParameterModulesTest, KeepsValuesForModulesOfOtherRuns) {
   const std::vector<ParameterChange> kept = kept_for_others(
       {in_file("orientation.lingering"), in_file("goal_search.speed", "2"), in_file("goal_search.speed", "3")},
       modules);
@@ -55,7 +55,7 @@ TEST_F(ParameterModulesTest, KeepsWhatAnotherRunMayLoad) {
   EXPECT_EQ(log.str(), "");
 }
 
-TEST_F(ParameterModulesTest, WarnsOnceOfAModuleThatNoRunCouldLoad) {
+TEST_F(ParameterModulesTest, WarnsOnceOfAnUnknownModule) {
   EXPECT_EQ(kept_for_others({in_file("goal_saerch.speed"), in_file("goal_saerch.time")}, modules).size(), 2u);
   EXPECT_EQ(
       log.str(),
@@ -80,7 +80,7 @@ TEST_F(ParameterModulesTest, WarnsOnceOfAFormerFieldInAFileThatIsLoaded) {
   EXPECT_EQ(log.str(), "team/behaviors/mine.lua: confidence.asymmetry is a former name: use confidence.separability\n");
 }
 
-TEST_F(ParameterModulesTest, RefusesWhatAModuleThatIsThereDoesNotHave) {
+TEST_F(ParameterModulesTest, RefusesUnknownParametersOfLoadedModules) {
   EXPECT_EQ(refusal(in_file("orientation.lingring")),
             "team.toml:7: unknown parameter 'orientation.lingring' (did you mean "
             "'orientation.lingering'?)");

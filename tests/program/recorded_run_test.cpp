@@ -74,7 +74,7 @@ TEST_F(RunThatIsRecorded, MayBeCutAnywhere) {
   }
 }
 
-TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
+TEST_F(RunThatIsRecorded, ReportsWhatAnotherParameterWouldHaveChanged) {
   const ProgramRun recorded = run_reorient(
       {"run", "--seconds", "60", "--width", "160", "--no-pictures", "--log", "off", "--record", file("run.mcap")});
   ASSERT_NE(recorded.out.find("flip_pose"), std::string::npos) << recorded.out;
@@ -102,7 +102,7 @@ TEST_F(RunThatIsRecorded, SaysWhatAnotherParameterWouldHaveChanged) {
   EXPECT_NE(without.err.find("behaviors/wall_gaze.lua: script not found"), std::string::npos) << without.err;
 }
 
-TEST_F(RunThatIsRecorded, BecomesTablesAndPicturesOfAnyMoment) {
+TEST_F(RunThatIsRecorded, IsExportedAsTablesAndPicturesOfAnyTime) {
   run_shortly({"--record", file("run.mcap")});
   const ProgramRun world = run_reorient({"recording", "export", file("run.mcap"), "--csv", "world"});
   EXPECT_EQ(world.code, 0) << world.err;
@@ -157,7 +157,7 @@ double last_reported(const std::string& out) {
 /// below assert that frames reach the file and the disk while the run continues.
 static_assert(2 * RecordingFile::kFlushEvery <= std::chrono::milliseconds(500));
 
-TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondWhereItIsKilled) {
+TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondIfItIsKilled) {
   const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
   const int times = wanted == nullptr ? 3 : std::atoi(wanted);
   double most_lost = 0.0;
@@ -206,7 +206,7 @@ Flushes flushes_in(const std::string& report) {
   return flushes;
 }
 
-TEST_F(RunThatIsRecorded, IsOnTheDiskItselfWithinHalfASecond) {
+TEST_F(RunThatIsRecorded, IsFlushedToTheDiskWithinHalfASecond) {
 #if defined(REORIENT_EMULATOR) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "nothing can be put before the C library here";
 #endif
@@ -228,7 +228,7 @@ TEST_F(RunThatIsRecorded, IsOnTheDiskItselfWithinHalfASecond) {
   std::cout << flushes.times << " times flushed, " << flushes.longest << " s after the first byte at most\n";
 }
 
-TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
+TEST_F(RunThatIsRecorded, EndsItsRecordingWithoutDamageIfTheDiskIsFullAndContinues) {
   // No file may become larger than 2 MB; a run of 10 s would take 8.
   ChildProgram run(folder_.path(),
                    {"run", "--seconds", "10", "--width", "160", "--no-pictures", "--record", file("run.mcap")},
@@ -244,7 +244,7 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereTheDiskIsFullAndGoesOn) {
 }
 
 /// In real time a chunk is small, and what the last one left may be too little for the summary.
-TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereverInAChunkTheDiskIsFull) {
+TEST_F(RunThatIsRecorded, EndsItsRecordingWithoutDamageIfTheDiskIsFullWithinAChunk) {
   constexpr rlim_t kLeast = 650'000, kMost = 950'000, kStep = 25'000;  // the first chunk fits
   constexpr rlim_t kAtOnce = 4;  // more of them would keep two processors from real time
   for (rlim_t first = kLeast; first < kMost; first += kAtOnce * kStep) {
@@ -270,7 +270,7 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWholeWhereverInAChunkTheDiskIsFull) {
 
 /// Before the first part has its end, between two parts, in the second: all that is there can be replayed, and what it
 /// tells is what is there.
-TEST_F(RunThatIsRecorded, EndsEveryPartWholeWhereverTheDiskIsFull) {
+TEST_F(RunThatIsRecorded, EndsEveryPartWithoutDamageIfTheDiskIsFull) {
   for (int size = 1180; size < 1300; size += 12) {
     const std::filesystem::path disk = folder_.path() / ("disk" + std::to_string(size)), kept = disk.string() + "-kept";
     std::filesystem::create_directory(disk);
@@ -298,7 +298,7 @@ TEST_F(RunThatIsRecorded, EndsEveryPartWholeWhereverTheDiskIsFull) {
   }
 }
 
-TEST_F(RunThatIsRecorded, IsReadWholeWhateverBitOfItsHeadIsDamaged) {
+TEST_F(RunThatIsRecorded, IsReadWholeWithAnyFlippedBitInItsHead) {
   run_shortly({"--record", file("run.mcap")});
   const std::string whole = read_text(file("run.mcap"));
   for (std::size_t place = 8; place < 700; place += 3) {
@@ -313,7 +313,7 @@ TEST_F(RunThatIsRecorded, IsReadWholeWhateverBitOfItsHeadIsDamaged) {
   }
 }
 
-TEST_F(RunThatIsRecorded, LeavesTheOldFileIfItCannotBeWrittenAgain) {
+TEST_F(RunThatIsRecorded, KeepsTheOldFileIfItCannotBeReplaced) {
   run_shortly({"--record", file("run.mcap")});
   const std::string before = read_text(file("run.mcap"));
   folder_.write("other.mcap", before);
@@ -330,7 +330,7 @@ TEST_F(RunThatIsRecorded, LeavesTheOldFileIfItCannotBeWrittenAgain) {
   EXPECT_EQ(files, 0);
 }
 
-TEST_F(RunThatIsRecorded, ThatHasAHoleIsRecoveredWithACodeThatSaysSo) {
+TEST_F(RunThatIsRecorded, WithAGapIsRecoveredWithExitCode1) {
   run_shortly({"--record", file("run.mcap")});
   std::string bytes = read_text(file("run.mcap"));
   bytes.replace(bytes.size() / 2, 2000, 2000, 'x');
@@ -340,7 +340,7 @@ TEST_F(RunThatIsRecorded, ThatHasAHoleIsRecoveredWithACodeThatSaysSo) {
   EXPECT_NE(recovered.out.find(" lost\n"), std::string::npos) << recovered.out;
 }
 
-TEST_F(RunThatIsRecorded, ThatIsDamagedIsNotReplayedAsIfItWereWhole) {
+TEST_F(RunThatIsRecorded, ThatIsDamagedIsReplayedInPart) {
   run_shortly({"--record", file("run.mcap")});
   std::string bytes = read_text(file("run.mcap"));
   bytes.replace(bytes.size() / 2, 2000, 2000, 'x');
@@ -373,7 +373,7 @@ TEST_F(RunThatIsRecorded, KeepsTheFurtherPartsOfAnEarlierOne) {
   EXPECT_TRUE(std::filesystem::exists(file("rot.2.mcap")));
 }
 
-TEST_F(RunThatIsRecorded, ByARobotTakesTheNextNameThatIsFree) {
+TEST_F(RunThatIsRecorded, ByARobotUsesTheNextFreeName) {
   RunOptions options;
   options.robot = "nao";
   options.record = file("run.mcap");
@@ -389,7 +389,7 @@ TEST_F(RunThatIsRecorded, ByARobotTakesTheNextNameThatIsFree) {
   EXPECT_TRUE(std::filesystem::exists(file("run-3.mcap")));
 }
 
-TEST_F(RunThatIsRecorded, IsRefusedTimesInWhichNothingWasRecorded) {
+TEST_F(RunThatIsRecorded, RefusesTimesOutsideOfTheRecording) {
   run_shortly({"--record", file("run.mcap")});
   run_reorient({"recording", "cut", file("run.mcap"), "--from", "2", "--out", file("late.mcap")});
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {

@@ -42,7 +42,7 @@ class ReplayingTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(ReplayingTest, PlaysTheScriptsThatThereAreNow) {
+TEST_F(ReplayingTest, RunsThePresentScripts) {
   const std::string test = R"(
     replay "recordings/recorded_flip.mcap"
     advance_to(43.43)
@@ -77,7 +77,7 @@ TEST_F(ReplayingTest, ReachesTheNextFrameWithParametersEditsAndMessages) {
   EXPECT_EQ(run.code, 0) << run.out;
 }
 
-TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
+TEST_F(ReplayingTest, ReportsMistakesInATestAndContinues) {
   folder_.write("scripts/tests/recordings/text.mcap", "no recording");
   const std::string flip = "replay \"recordings/recorded_flip.mcap\" ";
   const std::pair<std::string, const char*> mistakes[] = {
@@ -109,7 +109,7 @@ TEST_F(ReplayingTest, TellsWhatIsWrongInATestAndGoesOn) {
   EXPECT_EQ(run_test(flip + "advance(0)").code, 1);
 }
 
-TEST_F(ReplayingTest, OfManyReplaysEndsWithItsBudget) {
+TEST_F(ReplayingTest, OfManyReplaysEndsAtItsTimeLimit) {
   const ProgramRun run = run_test("for i = 1, 100000 do replay \"recordings/recorded_flip.mcap\" end");
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.out.find("instructions"), std::string::npos) << run.out;

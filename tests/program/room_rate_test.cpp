@@ -61,7 +61,7 @@ std::pair<int, int> size_of_png(const std::string& file) {
   return {number(16), number(20)};
 }
 
-TEST_F(RoomRate, TellsTheBuiltInHallAndWritesPictureAndNumbers) {
+TEST_F(RoomRate, RatesTheBuiltInHallAndWritesPictureAndNumbers) {
   const ProgramRun run = rate({"hall", "--learn", "30", "--picture", path("ring.png"), "--json", path("hall.json")});
   ASSERT_EQ(run.code, kSuccess) << run.err << run.out;
   for (const char* const line : {"verdict: works\n", "time to correction of a mirrored belief: mean ",
@@ -77,7 +77,7 @@ TEST_F(RoomRate, TellsTheBuiltInHallAndWritesPictureAndNumbers) {
   EXPECT_EQ(json["directions"].size(), 48u);
 }
 
-TEST_F(RoomRate, SaysOfTheTwoFoldTwinThatNothingTellsItsEndsApart) {
+TEST_F(RoomRate, CallsTheSymmetricVersionOfTheHallSymmetric) {
   const ProgramRun run =
       rate({"hall", "--set", "room_shape.symmetry=two_fold", "--banner", "0", "--json", path("twin.json")});
   EXPECT_EQ(run.code, kWrong) << run.err << run.out;
@@ -88,7 +88,7 @@ TEST_F(RoomRate, SaysOfTheTwoFoldTwinThatNothingTellsItsEndsApart) {
   EXPECT_TRUE(json["times"].is_null());
 }
 
-TEST_F(RoomRate, SaysOfAQuarterOfAWallThatItIsTooLittle) {
+TEST_F(RoomRate, CallsAQuarterOfAWallTooLittle) {
   const ProgramRun run = rate({file_of(some_model(1, 0, 0.1, 0, 12))});
   EXPECT_EQ(run.code, kWrong) << run.err;
   EXPECT_NE(run.out.find("verdict: does not work: too little was learned, 25 % of the wall (expected at least 30 %)\n"),
@@ -115,7 +115,7 @@ TEST_F(RoomRate, WritesTheFieldsThatAreDocumented) {
   EXPECT_EQ(json["banner"]["places"].size(), 24u);
 }
 
-TEST_F(RoomRate, RatesWhatARecordingKnowsAtItsEnd) {
+TEST_F(RoomRate, RatesTheModelAtTheEndOfARecording) {
   const std::string model = path("run.model"), recording = path("run.mcap");
   ASSERT_EQ(run_reorient({"run", "trial", "--set", "trial.event=none", "--set", "trial.learn=30", "--seconds", "25",
                           "--width", "160", "--no-pictures", "--log", "off", "--model", model, "--record", recording})
@@ -152,7 +152,7 @@ TEST_F(RoomRate, RefusesEachDamagedModel) {
   }
 }
 
-TEST_F(RoomRate, RefusesWhatIsNoRoom) {
+TEST_F(RoomRate, RefusesFilesThatAreNotRooms) {
   expect_refused({path("no.model")}, "no.model: expected a file, found none");
   expect_refused({path("no.hdr")}, "unknown room '" + path("no.hdr") + "'");
   expect_refused({path("no.mcap")}, "no.mcap: expected a file, found none");
@@ -166,7 +166,7 @@ TEST_F(RoomRate, RefusesWhatIsNoRoom) {
   expect_refused({""}, "room");
 }
 
-TEST_F(RoomRate, RefusesOptionsThatMakeNoSense) {
+TEST_F(RoomRate, RefusesInvalidOptions) {
   const std::string model = file_of(some_model(1));
   expect_refused({model, "--set", "room_shape.simmetry=two_fold"}, "room_shape.simmetry");
   expect_refused({model, "--set", "decision.false_flips=often"}, "decision.false_flips");
@@ -186,7 +186,7 @@ class RoomRateOfRealRooms : public SharedDataTest {
   RoomRateOfRealRooms() : SharedDataTest("rooms") {}
 };
 
-TEST_F(RoomRateOfRealRooms, TellsAPanoramaAndNotItsTwoFoldTwin) {
+TEST_F(RoomRateOfRealRooms, RatesAPanoramaAndCallsItsSymmetricVersionSymmetric) {
   const std::string room = (folder() / "st_fagans_interior.hdr").string();
   const Words words{"room", "rate", room, "--trials", "8", "--banner", "0", "--log", "off"};
   const ProgramRun told = run_reorient(words);

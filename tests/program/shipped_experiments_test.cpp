@@ -54,7 +54,7 @@ std::string event_of(const Condition& condition) {
 
 class ShippedExperiment : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(ShippedExperiment, ComesToTheMomentFromWhichItIsMeasured) {
+TEST_P(ShippedExperiment, ReachesTheStateFromWhichItIsMeasured) {
   Experiment experiment = shipped(GetParam());
   experiment.trials = 2;
   RoomCache rooms;
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                                            "mirrored_placement", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
-TEST(ARoomLearnedOnAnotherDay, TellsAWrongBeliefAtOnce) {
+TEST(ARoomLearnedOnAnotherDay, ShowsAWrongBeliefAtOnce) {
   const Experiment experiment = shipped("another_day");
   const Cell cell = cells_of(experiment).at(0);
   RoomCache rooms;
@@ -158,7 +158,7 @@ TEST(SymmetryMark, StepsDownToNoBanner) {
   expect_rungs(experiment, 2, "room_shape.mark", 1.0, "0 m");
 }
 
-TEST(GuardAgainstSymmetricRooms, IsWhollyOffWhereItIsOff) {
+TEST(GuardAgainstSymmetricRooms, IsCompletelyOffInTheChoiceOff) {
   for (const char* name : {"symmetry_ladder", "symmetry_mark"}) {
     Experiment experiment = shipped(name);
     choose(experiment, "guard", {"off"}, {});
@@ -170,7 +170,7 @@ TEST(GuardAgainstSymmetricRooms, IsWhollyOffWhereItIsOff) {
   }
 }
 
-TEST(ShippedExperiments, AreAllRunByTheTestAbove) {
+TEST(ShippedExperiments, AreAllCoveredByTheTestAbove) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());

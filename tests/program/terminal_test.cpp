@@ -45,7 +45,7 @@ class AtATerminal : public ::testing::Test {
   std::optional<TerminalRun> run;
 };
 
-TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunGoesOn) {
+TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunContinues) {
   for (int i = 0; i < 2; ++i) {
     open();
     run->type("\x04");
@@ -82,7 +82,7 @@ TEST_F(AtATerminal, CompletesWords) {
   edit("why pat\t\r", "patrol: walking");
 }
 
-TEST_F(AtATerminal, KeepsTheEditedLineBelowWhatIsTold) {
+TEST_F(AtATerminal, KeepsTheEditedLineBelowTheOutput) {
   open();
   run->type("watch clock.time\r");
   ASSERT_TRUE(run->await("clock.time = "));
@@ -98,7 +98,7 @@ TEST_F(AtATerminal, KeepsTheEditedLineBelowWhatIsTold) {
   ASSERT_TRUE(run->await("was reloaded"));
 }
 
-TEST_F(AtATerminal, DropsWhatIsTypedBeyondTheLongestLine) {
+TEST_F(AtATerminal, DropsInputBeyondTheLongestLine) {
   open();
   const std::string block(1000, 'x');
   for (int i = 0; i < 30; ++i) run->type(block);
@@ -118,7 +118,7 @@ TEST_F(AtATerminal, RemembersLinesAcrossRuns) {
   expect("\x1B[A\x1B[A\r", "head_scan.speed = 1");
 }
 
-TEST_F(AtATerminal, RunsWithoutAHistoryThatCannotBe) {
+TEST_F(AtATerminal, RunsWithoutAHistoryIfItCannotBeUsed) {
   std::filesystem::create_directories(folder.path() / "reorient" / "history");
   run->type("\n");
   ASSERT_TRUE(run->await("the prompt keeps no history: "));
@@ -131,7 +131,7 @@ TEST_F(AtATerminal, RunsWithoutAHistoryThatCannotBe) {
 
 // ---- the terminal is left as it was found
 
-TEST_F(AtATerminal, CtrlCEndsTheRunAndLeavesTheTerminalAsItWas) {
+TEST_F(AtATerminal, CtrlCEndsTheRunAndRestoresTheTerminal) {
   open();
   run->type("set orient");
   EXPECT_TRUE(run->await("set orient"));
@@ -144,7 +144,7 @@ TEST_F(AtATerminal, CtrlCEndsTheRunAndLeavesTheTerminalAsItWas) {
 
 class EndedBy : public AtATerminal, public ::testing::WithParamInterface<int> {};
 
-TEST_P(EndedBy, ASignalLeavesTheTerminalAsItWas) {
+TEST_P(EndedBy, ASignalRestoresTheTerminal) {
   open();
   EXPECT_FALSE(run->is_as_found());
   run->kill(GetParam());
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, EndedBy, ::testing::Values(SIGTERM, SIGQUIT, S
   return std::string(signal.param == SIGTERM ? "Term" : signal.param == SIGQUIT ? "Quit" : "Abort");
 });
 
-TEST_F(AtATerminal, TheSecondSignalLeavesTheTerminalAsItWas) {
+TEST_F(AtATerminal, TheSecondSignalRestoresTheTerminal) {
   open();
   run->stop();  // so that both have come before it can do anything
   run->kill(SIGINT);
@@ -167,7 +167,7 @@ TEST_F(AtATerminal, TheSecondSignalLeavesTheTerminalAsItWas) {
   EXPECT_TRUE(run->is_as_found());
 }
 
-TEST_F(AtATerminal, CtrlZGivesTheTerminalBackUntilTheRunGoesOn) {
+TEST_F(AtATerminal, CtrlZRestoresTheTerminalUntilTheRunContinues) {
   // A shell with job control: what it does while the program is stopped shows how the terminal is then.
   std::vector<std::string> shell{"/bin/sh", "-mc", "\"$@\"; stty -a; echo stopped; fg", "sh"};
   shell.insert(shell.end(), kPatrol.begin(), kPatrol.end());

@@ -45,7 +45,7 @@ class TiltedCamera : public ::testing::Test {
   std::string json = (folder.path() / "summary.json").string();
 };
 
-TEST_F(TiltedCamera, IsNoticedAndDoesNotSpoilThePose) {
+TEST_F(TiltedCamera, IsEstimatedAndDoesNotDisturbThePose) {
   for (const double side : {1.0, -1.0}) {
     const ProgramRun run = walk(side * kThreeDegrees);
     const nlohmann::json told = summary();
@@ -58,13 +58,13 @@ TEST_F(TiltedCamera, IsNoticedAndDoesNotSpoilThePose) {
   }
 }
 
-TEST_F(TiltedCamera, ThatLooksWhereItBelievesIsNotMentioned) {
+TEST_F(TiltedCamera, WithoutATiltIsNotReported) {
   const ProgramRun run = walk(0.0);
   EXPECT_NEAR(pitch_of(summary()), 0.0, 0.8);
   EXPECT_EQ(run.out.find("than is measured"), std::string::npos) << run.out;
 }
 
-TEST_F(TiltedCamera, SpoilsThePoseOfARobotThatDoesNotLearnIt) {
+TEST_F(TiltedCamera, DisturbsThePoseOfARobotThatDoesNotEstimateIt) {
   walk(kThreeDegrees, {"--set", "pose_tracker.enabled=false"});
   EXPECT_EQ(pitch_of(summary()), 0.0);
   EXPECT_GT(summary().at("position_error_meters").get<double>(), 0.12);

@@ -50,7 +50,7 @@ TEST_F(TimelinePrinterTest, PrintsInTheFrameInWhichItHappens) {
       << text;
 }
 
-TEST_F(TimelinePrinterTest, CountsWhatRepeatsItselfAndTellsItAtTheEnd) {
+TEST_F(TimelinePrinterTest, CountsRepeatedEventsAndPrintsTheCountAtTheEnd) {
   TimelinePrinter printer(out, false);
   frame.transitions.push_back(transition("busy"));
   EXPECT_NE(printed(printer, 0.0), "");
@@ -61,7 +61,7 @@ TEST_F(TimelinePrinterTest, CountsWhatRepeatsItselfAndTellsItAtTheEnd) {
   EXPECT_NE(out.str().find("busy                  2 events repeated"), std::string::npos) << out.str();
 }
 
-TEST_F(TimelinePrinterTest, PrintsEverythingThatIsAskedForAndEachGrantedReorientation) {
+TEST_F(TimelinePrinterTest, PrintsAllEventsOnRequestAndAlwaysGrantedCommands) {
   TimelinePrinter everything(out, true);
   frame.transitions.push_back(transition("busy"));
   EXPECT_NE(printed(everything, 0.0), "");
@@ -77,7 +77,7 @@ TEST_F(TimelinePrinterTest, PrintsEverythingThatIsAskedForAndEachGrantedReorient
   EXPECT_EQ(printed(printer, 0.3), "") << "refused again, as before";
 }
 
-TEST_F(TimelinePrinterTest, TakesABoundedMemoryHoweverManyDifferentEventsThereAre) {
+TEST_F(TimelinePrinterTest, UsesBoundedMemoryForAnyNumberOfDifferentEvents) {
   TimelinePrinter printer(out, false);
   constexpr std::size_t kReasons = 3 * TimelinePrinter::kMostRemembered;
   NameTable table = *names.table();

@@ -31,7 +31,7 @@ class UnwritableOutput : public RunWithAllOutputs {
                                       std::filesystem::perms::others_write);
 };
 
-TEST_F(UnwritableOutput, WritesTheRestWhereOnePictureCannotBe) {
+TEST_F(UnwritableOutput, WritesTheOtherOutputsIfOnePictureCannotBeWritten) {
   std::filesystem::create_directories(folder.path() / "pictures" / "world_view.png" / "in the way");
   ChildProgram run(folder.path(), words({"--seconds", "1"}));
   EXPECT_EQ(run.wait(), kBadInput);
@@ -43,7 +43,7 @@ TEST_F(UnwritableOutput, WritesTheRestWhereOnePictureCannotBe) {
   EXPECT_NE(run.out().find("wrong: "), std::string::npos);
 }
 
-TEST_F(UnwritableOutput, TellsEachOutputThatVanishedWithItsFolder) {
+TEST_F(UnwritableOutput, ReportsEachOutputWhoseFolderWasRemoved) {
   ChildProgram run(folder.path(), words());
   ASSERT_TRUE(run.await("patrol: "));
   std::filesystem::remove_all(folder.path() / "pictures");
@@ -53,7 +53,7 @@ TEST_F(UnwritableOutput, TellsEachOutputThatVanishedWithItsFolder) {
   EXPECT_EQ(json()["scenario"], "patrol");
 }
 
-TEST_F(UnwritableOutput, WritesTheRestIfTheReaderOfItsOutputHasEnded) {
+TEST_F(UnwritableOutput, WritesTheFilesIfTheReaderOfItsOutputHasEnded) {
   ChildProgram run(folder.path(), words({"--seconds", "1"}), [] {
     int ends[2];
     if (pipe(ends) != 0) _exit(126);
@@ -66,7 +66,7 @@ TEST_F(UnwritableOutput, WritesTheRestIfTheReaderOfItsOutputHasEnded) {
   expect_all_outputs();
 }
 
-TEST_F(UnwritableOutput, WritesWhatIsSmallWhereFilesMayNotGrow) {
+TEST_F(UnwritableOutput, WritesSmallFilesBelowASizeLimit) {
   ChildProgram run(folder.path(), words({"--seconds", "1"}), files_up_to(16 * 1024));
   EXPECT_EQ(run.wait(), kBadInput);
   EXPECT_NE(run.err().find("world_view.png': File too large"), std::string::npos) << run.err();
@@ -74,7 +74,7 @@ TEST_F(UnwritableOutput, WritesWhatIsSmallWhereFilesMayNotGrow) {
   EXPECT_EQ(left_overs(), 0);
 }
 
-TEST_F(UnwritableOutput, SaysWhatADeviceSays) {
+TEST_F(UnwritableOutput, ReportsTheErrorOfADevice) {
   ChildProgram run(folder.path(), {"run", "--seconds", "1", "--width", "160", "--no-pictures", "--json", "/dev/full"});
   EXPECT_EQ(run.wait(), kBadInput);
   EXPECT_NE(run.err().find("cannot write '/dev/full': No space left on device"), std::string::npos) << run.err();
@@ -90,7 +90,7 @@ TEST_F(UnwritableOutput, DoesNotFollowALinkBesideTheFile) {
   expect_all_outputs();
 }
 
-TEST_F(UnwritableOutput, SharesAFolderWithAnother) {
+TEST_F(UnwritableOutput, WorksBesideAnotherRunInTheSameFolder) {
   TemporaryFolder other;
   ChildProgram first(folder.path(), words({"--seconds", "2"}));
   ChildProgram second(other.path(), words({"--seconds", "2"}));
@@ -100,7 +100,7 @@ TEST_F(UnwritableOutput, SharesAFolderWithAnother) {
   EXPECT_EQ(left_overs(), 0);
 }
 
-TEST_F(UnwritableOutput, IsToldBeforeTheRunWhereAFolderMayNotBeWritten) {
+TEST_F(UnwritableOutput, IsReportedBeforeTheRunIfAFolderIsNotWritable) {
   allow(kOnlyToRead);
   const std::string pictures = (folder.path() / "pictures").string();
   const std::string summary = pictures + "/run.json";
@@ -119,7 +119,7 @@ TEST_F(UnwritableOutput, IsToldBeforeTheRunWhereAFolderMayNotBeWritten) {
   }
 }
 
-TEST_F(UnwritableOutput, TellsEachPictureWhereItsFolderMayNoLongerBeWritten) {
+TEST_F(UnwritableOutput, ReportsEachPictureIfItsFolderBecomesReadOnly) {
   allow(std::filesystem::perms::all);
   ChildProgram run(folder.path(), words(), become_an_ordinary_user);
   const bool began = run.await("patrol: ");
@@ -141,7 +141,7 @@ TEST_F(UnwritableOutput, TellsEachPictureWhereItsFolderMayNoLongerBeWritten) {
 
 class FullDisk : public UnwritableOutput, public ::testing::WithParamInterface<bool> {};
 
-TEST_P(FullDisk, TakesWhatFitsAndKeepsNoHalfFiles) {
+TEST_P(FullDisk, GetsFilesThatFitAndNoPartialFiles) {
   allow(std::filesystem::perms::all);
   const bool as_ordinary_user = GetParam();
   const std::filesystem::path kept = folder.path() / "kept";

@@ -14,7 +14,7 @@ namespace {
 
 class WideLensJob : public testing::TestWithParam<std::tuple<const char*, int>> {};
 
-TEST_P(WideLensJob, IsDoneRight) {
+TEST_P(WideLensJob, EndsRight) {
   const auto& [file, seed] = GetParam();
   const std::string body = (std::filesystem::path(kSourceFolder) / file).string();
   const ProgramRun run = run_reorient({"run", "mirrored_placement", "--body", body, "--seed", std::to_string(seed),

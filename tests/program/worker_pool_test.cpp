@@ -38,7 +38,7 @@ class WorkerPool : public ::testing::Test {
   int enough = 1'000'000;
 };
 
-TEST_F(WorkerPool, DoesEachTaskOnceInOtherProcesses) {
+TEST_F(WorkerPool, RunsEachTaskOnceInOtherProcesses) {
   const auto ends = run(20, 3, [&](int task) { note(task); });
   EXPECT_EQ(ends.size(), 20U);
   for (const auto& [number, end] : ends) {
@@ -47,7 +47,7 @@ TEST_F(WorkerPool, DoesEachTaskOnceInOtherProcesses) {
   }
 }
 
-TEST_F(WorkerPool, TellsWhatWasThrownAndGoesOn) {
+TEST_F(WorkerPool, ReportsExceptionsAndContinues) {
   const auto ends = run(5, 2, [&](int task) {
     if (task == 2) throw std::runtime_error("there is no such room");
     note(task);
@@ -71,7 +71,7 @@ TEST_F(WorkerPool, LosesOnlyTheTaskThatCrashes) {
   for (const int number : {1, 2, 6, 7, 8}) EXPECT_TRUE(ends.at(number).is_done() && was_done(number)) << number;
 }
 
-TEST_F(WorkerPool, EndsAtOnceWhenItIsToldEnough) {
+TEST_F(WorkerPool, EndsAtOnceWhenTheCallbackReturnsFalse) {
   enough = 1;
   const auto ends = run(3, 3, [&](int task) {
     if (task != 1) pause();
@@ -86,7 +86,7 @@ TEST_F(WorkerPool, EndsOnRequest) {
   EXPECT_EQ(asked, 3);
 }
 
-TEST_F(WorkerPool, OfNoTasksIsDone) {
+TEST_F(WorkerPool, WithoutTasksIsDone) {
   EXPECT_TRUE(run(0, 4, [](int) { std::abort(); }).empty());
 }
 

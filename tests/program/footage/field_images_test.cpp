@@ -45,7 +45,7 @@ TEST(FieldImages, AreFoundByTheirBytesAndScored) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / ("field_images_" + digest_of(bytes) + ".png")));
 }
 
-TEST(FieldImages, ThatCannotBeUsedAreSaidToBeSo) {
+TEST(FieldImages, ThatCannotBeUsedAreReported) {
   const TemporaryFolder folder;
   const std::string bytes(4 + 64 * 48 * 2 - 1, 'k');  // a byte is missing
   const auto image = folder.write("short.raw", bytes), other = folder.write("other.raw", "x");

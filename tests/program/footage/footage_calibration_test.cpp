@@ -69,7 +69,7 @@ class FootageCalibration : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(FootageCalibration, FindsByLinesHowTheCameraIsMountedAndRunsWithThat) {
+TEST_F(FootageCalibration, FindsTheCameraOffsetByLinesAndRunsWithIt) {
   expect_recovered({1, 8.0, 2.0, -3.0, 5.0});
   const Words run{"run",       "--robot", "footage",       source(), "--wall", "field",
                   "--seconds", "2",       "--no-pictures", "--log",  "off"};
@@ -80,7 +80,7 @@ TEST_F(FootageCalibration, FindsByLinesHowTheCameraIsMountedAndRunsWithThat) {
   EXPECT_NE(digest_of(before), digest_of(after));
 }
 
-TEST_F(FootageCalibration, FindsByEdgesTiltAndRollAndNamesWhatEdgesDoNotShow) {
+TEST_F(FootageCalibration, FindsTiltAndRollByEdgesAndReportsWhatEdgesCannotShow) {
   write_offset_footage(source(), {.seed = 2, .offset = KnownOffset{2, 5.0, 0.0, -3.0, 0.0}.offset()});
   const ProgramRun found = calibrate({"--by", "edges"});
   ASSERT_EQ(found.code, 0) << found.out << found.err;
@@ -141,7 +141,7 @@ HeldOutMedians medians_of(const std::vector<EdgeView>& views) {
 }
 
 // The recorded roll of single images does not belong to them there, and is left out.
-TEST_F(RealFootageCalibration, LowersTheAngleOfVerticalEdgesOnImagesThatWereNotUsed) {
+TEST_F(RealFootageCalibration, ReducesTheAngleOfVerticalEdgesOnUnusedImages) {
   FootageArguments arguments;
   arguments.fov_degrees = 60.97;
   const auto source = open_footage(folder() / "nao-canteen-01", arguments, load_body(body_file({})));

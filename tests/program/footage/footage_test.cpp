@@ -89,7 +89,7 @@ class Footage : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Footage, LeavesARightPoseAlone) {
+TEST_F(Footage, DoesNotFlipARightPose) {
   const ProgramRun right = run({"--belief", "right", "--belief-at", "25"});
   EXPECT_EQ(right.code, 0) << right.out << right.err;
   EXPECT_NE(right.out.find("0 flips"), std::string::npos) << right.out;
@@ -119,7 +119,7 @@ TEST_F(Footage, IsRecordedAndReplayedToTheSameDigest) {
   EXPECT_EQ(digest_of(replayed), digest_of(recorded_run));
 }
 
-TEST_F(Footage, EndsWhereAnImageIsMissingAndKeepsWhatCameBefore) {
+TEST_F(Footage, EndsAtAMissingImageAndKeepsTheFramesBefore) {
   const std::string table = table_with("images/0100.png", "images/none.png");
   for (const char* const wall : {"auto", "6", "field"}) {
     const ProgramRun ended = run({"--frames", table, "--wall", wall, "--record", file("run.mcap")});
@@ -133,7 +133,7 @@ TEST_F(Footage, EndsWhereAnImageIsMissingAndKeepsWhatCameBefore) {
   }
 }
 
-TEST_F(Footage, EndsWhereAnImageIsCutOff) {
+TEST_F(Footage, EndsAtATruncatedImage) {
   const std::vector<std::byte> jpeg = encoded(image_file(0), ".jpg");
   ASSERT_FALSE(jpeg.empty());
   const auto table = [&](std::size_t bytes, const std::string& tail) {
@@ -153,7 +153,7 @@ TEST_F(Footage, EndsWhereAnImageIsCutOff) {
   EXPECT_EQ(run({}, folder_.path() / "cut.csv").code, kBadInput) << "half of a PNG";
 }
 
-TEST_F(Footage, SaysThatABeliefChangesAfterTheEnd) {
+TEST_F(Footage, ReportsThatABeliefChangesAfterTheEnd) {
   const ProgramRun late = run({"--belief", "mirrored", "--belief-at", "500"});
   EXPECT_EQ(late.code, kBadInput);
   EXPECT_NE(late.err.find("--belief-at 500: expected a moment of the footage, which lasts 43.8 s"), std::string::npos)
@@ -161,7 +161,7 @@ TEST_F(Footage, SaysThatABeliefChangesAfterTheEnd) {
   EXPECT_EQ(run({"--belief", "mirrored", "--belief-at", "500", "--seconds", "2"}).code, 0) << "it was ended before";
 }
 
-TEST_F(Footage, LastsUntilItsEndUnlessToldOtherwise) {
+TEST_F(Footage, RunsToItsEndUnlessLimited) {
   std::string slow = "image,time_s,x_m,y_m,rotation_rad\n";
   for (int i = 0; i < 12; ++i) slow += fmt::format("{},{},0,0,0\n", image_file(i).string(), 100 * i);
   const std::string table = folder_.write("slow.csv", slow).string();
@@ -171,7 +171,7 @@ TEST_F(Footage, LastsUntilItsEndUnlessToldOtherwise) {
   EXPECT_NE(part.out.find("right: ended after 4 images, as set by --seconds"), std::string::npos) << part.out;
 }
 
-TEST_F(Footage, WithoutAPoseIsNotJudgedAndTellsWhichColumnsAreNotUsed) {
+TEST_F(Footage, WithoutAPoseIsNotJudgedAndReportsUnusedColumns) {
   const ProgramRun lost =
       run({"--json", file("run.json"), "--frames", table_with("x_m,y_m,rotation_rad", "pos_east,pos_north,theta")});
   EXPECT_EQ(lost.code, 0) << lost.out << lost.err;
@@ -183,7 +183,7 @@ TEST_F(Footage, WithoutAPoseIsNotJudgedAndTellsWhichColumnsAreNotUsed) {
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], nullptr);
 }
 
-TEST_F(Footage, IsJudgedByTheLastPoseWhereTheLastImageHasNone) {
+TEST_F(Footage, IsJudgedByTheLastPoseIfTheLastImageHasNone) {
   std::string text = "image,time_s,x_m,y_m,rotation_rad\n";
   for (int i = 0; i < 4; ++i) text += fmt::format("{},{},0,0,0\n", image_file(i).string(), i);
   text += image_file(4).string() + ",4,,,\n";
@@ -192,14 +192,14 @@ TEST_F(Footage, IsJudgedByTheLastPoseWhereTheLastImageHasNone) {
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], true);
 }
 
-TEST_F(Footage, TellsThatTrialsBeginBeforeTheRoomIsLearned) {
+TEST_F(Footage, ReportsTrialsThatBeginBeforeTheRoomIsLearned) {
   const ProgramRun tried = run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn",
                                          "1", "--watch", "5", "--starts", "2", "--out", file("out")});
   ASSERT_EQ(tried.code, 0) << tried.err;
   EXPECT_NE(tried.out.find(": 1 of 2 starts come before the room was learned (at "), std::string::npos) << tried.out;
 }
 
-TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
+TEST_F(Footage, IsRefusedIfTheCommandOrTheTableIsInvalid) {
   const std::pair<Words, const char*> cases[] = {
       {{"--belief", "upside down"}, "--belief: expected right, mirrored, degrees"},
       {{"--belief", "mirrored:x"}, "--belief: expected right, mirrored, degrees"},
@@ -233,7 +233,7 @@ TEST_F(Footage, IsRefusedWhereTheCommandOrTheTableIsWrong) {
   EXPECT_NE(vain.err.find("--images-per-second: used by --robot footage only"), std::string::npos) << vain.err;
 }
 
-TEST_F(Footage, IsTriedAtManyMoments) {
+TEST_F(Footage, RunsTrialsAtManyTimes) {
   const Words words{"experiment",   "footage",  recorded().string(), "--wall", "field", "--learn",   "20",
                     "--watch",      "10",       "--starts",          "4",      "--out", file("out"), "--json",
                     file("r.json"), "--report", file("report")};
@@ -254,7 +254,7 @@ TEST_F(Footage, IsTriedAtManyMoments) {
   EXPECT_EQ(again.out, tried.out);
 }
 
-TEST_F(Footage, GivesATrialTheSameResultAsARunThatLivedThroughEverything) {
+TEST_F(Footage, GivesATrialTheSameResultAsAWholeRun) {
   const ProgramRun tried =
       run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn", "20", "--watch", "10",
                     "--starts", "1", "--out", file("out"), "--json", file("r.json")});
@@ -301,7 +301,7 @@ TEST_F(Footage, PrintsForEachFailedTrialTheCommandThatShowsIt) {
   for (const auto& request : json["commands"]) EXPECT_NE(request["command"], "flip_pose");
 }
 
-TEST_F(Footage, HasOneDigestWhateverItIsStoredIn) {
+TEST_F(Footage, HasTheSameDigestInAnyFormat) {
   const Words what{"--belief", "mirrored", "--belief-at", "25"};
   const std::string digest = digest_of(run(what));
   ASSERT_NE(digest, "");
@@ -343,7 +343,7 @@ TEST_F(Footage, HasOneDigestWhateverItIsStoredIn) {
   EXPECT_EQ(digest_of(run(what, file("png.mcap"))), digest);
 }
 
-TEST_F(Footage, OfImagesThatLostALittleShowsTheSameWithinThreeFrames) {
+TEST_F(Footage, OfLossyImagesShowsTheSameWithinThreeFrames) {
   const auto flipped_at = [&](const std::filesystem::path& source) {
     const ProgramRun mirrored = run({"--belief", "mirrored", "--belief-at", "25", "--json", file("run.json")}, source);
     EXPECT_EQ(mirrored.code, 0) << mirrored.out << mirrored.err;
@@ -360,7 +360,7 @@ class RealFootage : public DecodedSharedDataTest {
   RealFootage() : DecodedSharedDataTest("footage") {}
 };
 
-TEST_F(RealFootage, ShowsMirroredPosesThatAreFound) {
+TEST_F(RealFootage, FindsMirroredPoses) {
   const TemporaryFolder out;
   const ProgramRun tried =
       run_reorient({"experiment", "footage", (folder() / "nao-canteen-01").string(), "--fov-degrees", "60.97",

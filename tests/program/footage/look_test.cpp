@@ -101,7 +101,7 @@ TEST_F(Look, FindsThePitchOfImagesThatShowLines) {
   EXPECT_GE(10 * right, 9 * known) << run.out;
 }
 
-TEST_F(Look, KnowsNoPitchOfImagesThatShowTheHallAlone) {
+TEST_F(Look, DoesNotReportAPitchForImagesOfTheHallOnly) {
   WalkImages walk = walk_images(folder_.path() / "walk", 8, 320, -0.6);
   walk.files.erase(walk.files.begin(), walk.files.begin() + 2);  // the head is still on its way up
   const ProgramRun run = look(walk.files);
@@ -114,7 +114,7 @@ TEST_F(Look, KnowsNoPitchOfImagesThatShowTheHallAlone) {
   EXPECT_NE(run.out.find("pitch searched for in 6, unknown in 6"), std::string::npos) << run.out;
 }
 
-TEST_F(Look, DoesNotGuessThePitchOfAPlainImage) {
+TEST_F(Look, DoesNotReportAPitchForAPlainImage) {
   const std::string ppm = "P6 160 120 255\n" + std::string(160 * 120 * 3, '\x60');
   const ProgramRun run = look({folder_.write("plain.ppm", ppm).string()});
   ASSERT_EQ(run.code, 0) << run.err;
@@ -122,7 +122,7 @@ TEST_F(Look, DoesNotGuessThePitchOfAPlainImage) {
   EXPECT_NE(run.out.find("pitch unknown"), std::string::npos) << run.out;
 }
 
-TEST_F(Look, TakesThePitchThatIsTold) {
+TEST_F(Look, UsesTheGivenPitch) {
   const ProgramRun run = look({(recorded() / "images/0000.png").string(), "--pitch", "12", "--height", "0.6"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto image = seen()[0];
@@ -131,7 +131,7 @@ TEST_F(Look, TakesThePitchThatIsTold) {
   EXPECT_NEAR(image["camera_height_m"].get<double>(), 0.6, 1e-6);
 }
 
-TEST_F(Look, SaysInOneLineWhatCannotBeLookedAt) {
+TEST_F(Look, ReportsUnusableImagesInOneLine) {
   const std::pair<Words, const char*> cases[] = {
       {{"/nowhere.png"}, "/nowhere.png"},
       {{folder_.write("text.png", "no image").string()}, "text.png: expected an image"},
@@ -155,7 +155,7 @@ class LookAtRealImages : public DecodedSharedDataTest {
 /// Where the cameras were is estimated by hand: in the first image from the size of the center circle
 /// (tests/perception/field/real_images_test.cpp), in the second one from the goal. The horizon crosses its posts at the
 /// camera's height, and its slope from post to post is the roll.
-TEST_F(LookAtRealImages, FindsTheirPitchFromTheirLines) {
+TEST_F(LookAtRealImages, FindsTheirPitchByLines) {
   const TemporaryFolder out;
   const std::string json = (out.path() / "o.json").string();
   const ProgramRun run = run_reorient({"look", (folder() / "nao-v4-top-640x480-a.png").string(),

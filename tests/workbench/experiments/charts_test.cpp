@@ -16,14 +16,14 @@
 namespace reorient {
 namespace {
 
-TEST(Markup, WritesTextOfPeopleOnlyAsText) {
+TEST(Markup, EscapesText) {
   EXPECT_EQ(escaped("<script>alert('a' & \"b\")</script>"),
             "&lt;script&gt;alert(&#39;a&#39; &amp; &quot;b&quot;)&lt;/script&gt;");
   EXPECT_EQ(escaped("a\x01\xFF\n\tb\x7F"), "a\\x01\\xFF  b\\x7F");
   EXPECT_EQ(escaped("\u00fcber \u2013"), "\u00fcber \u2013");
 }
 
-RC_GTEST_PROP(MarkupProperty, IsWellFormedWhateverItIsGiven, (const std::string& text, const std::string& value)) {
+RC_GTEST_PROP(MarkupProperty, IsWellFormedForAnyText, (const std::string& text, const std::string& value)) {
   Markup out;
   {
     const Element paragraph(out, "p", {{"class", value}});
@@ -91,7 +91,7 @@ TEST(Plot, CutsOffWhatLiesBeyondItsAxes) {
   EXPECT_NE(out.str().find("points=\"46.0,91.0 188.0,12.0 330.0,91.0\""), std::string::npos) << out.str();
 }
 
-TEST(Plot, KeepsAValueUntilTheNextStep) {
+TEST(Plot, HoldsAValueUntilTheNextStep) {
   const std::vector<PlotPoint> steps = as_steps({{0.0, 0.0}, {2.0, 0.5}}, 9.0);
   ASSERT_EQ(steps.size(), 4U);
   EXPECT_EQ(steps[1].x, 2.0);

@@ -74,7 +74,7 @@ TEST(HorizonCamera, ReportsWhichColumnsAreCovered) {
   for (const HorizonColumn& column : columns) EXPECT_EQ(column.covered, column.x >= 40 && column.x <= 60) << column.x;
 }
 
-TEST(Sectors, HaveTheirReflectionsHalfOfThemFurtherOn) {
+TEST(Sectors, HaveTheirReflectionsHalfOfTheCircleAway) {
   for (const double azimuth : {-3.1, -1.0, -0.01, 0.0, 0.5, 3.0, kPi})
     EXPECT_EQ(sector_of(normalize_angle(azimuth + kPi), 80), reflected_sector(sector_of(azimuth, 80), 80)) << azimuth;
   EXPECT_EQ(sector_of(-1e-18, 80), 79);
@@ -101,7 +101,7 @@ TEST(ColorClasses, AreAsManyAsThereAreColors) {
   EXPECT_EQ(ColorClasses::of(std::vector<Ycbcr>(50, {10, 20, 30}), 10, 1.0, 1).count(), 1);
 }
 
-TEST(RunningLight, TakesTheLightOff) {
+TEST(RunningLight, RemovesTheLight) {
   RunningLight light;
   for (int i = 0; i < 100; ++i) light.add({60, 140, 120});
   light.next_frame(1.0, 5.0);
@@ -109,7 +109,7 @@ TEST(RunningLight, TakesTheLightOff) {
   EXPECT_EQ(light.without_light({0, 128, 128}).y, 0);
 }
 
-TEST(RunningLight, LeavesColorsAloneWhereItHasNoMemory) {
+TEST(RunningLight, DoesNotChangeColorsWithoutMemory) {
   RunningLight light;
   for (int i = 0; i < 100; ++i) light.add({60, 140, 120});
   light.next_frame(1.0, 0.0);
@@ -125,7 +125,7 @@ std::vector<float> row_with_bars(float gain, int shift) {
   return row;
 }
 
-TEST(HorizonFeatures, AreTheSameWhereverTheyStandAndHoweverBrightItIs) {
+TEST(HorizonFeatures, DependNeitherOnPositionNorOnBrightness) {
   HorizonFeatureFinder finder, other;
   const auto first = finder.find(row_with_bars(1.0f, 0), 0.04);
   const auto second = other.find(row_with_bars(0.5f, 7), 0.04);
@@ -142,7 +142,7 @@ TEST(HorizonFeatures, AreTheSameWhereverTheyStandAndHoweverBrightItIs) {
   EXPECT_TRUE(std::any_of(first.begin(), first.end(), [](const auto& one) { return !one.bright; }));
 }
 
-TEST(HorizonFeatures, AreNotFoundWhereNothingStandsOut) {
+TEST(HorizonFeatures, AreNotFoundInAnEvenRow) {
   HorizonFeatureFinder finder;
   EXPECT_TRUE(finder.find(std::vector<float>(160, 90.0f), 0.04).empty());
   EXPECT_TRUE(finder.find(std::vector<float>(160, 0.0f), 0.04).empty());
@@ -157,7 +157,7 @@ TEST(TriangleDome, HasTwentyFacesOfEqualTriangles) {
   }
 }
 
-TEST(TriangleDome, FindsEachTriangleBehindItsCenterFromAnywhereInside) {
+TEST(TriangleDome, FindsEachTriangleFromAnyPointInside) {
   const TriangleDome dome(10.0, 4);
   for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(-4.5, 2.0, 0.5)}) {
     for (int tile = 0; tile < dome.tiles(); ++tile) {
@@ -170,7 +170,7 @@ TEST(TriangleDome, FindsEachTriangleBehindItsCenterFromAnywhereInside) {
   }
 }
 
-TEST(TriangleDome, IsTheSameAfterHalfATurn) {
+TEST(TriangleDome, IsSymmetricUnderARotationBy180Degrees) {
   const TriangleDome dome(10.0, 3);
   for (int tile = 0; tile < dome.tiles(); ++tile) {
     const int other = dome.reflected(tile);
@@ -188,7 +188,7 @@ TEST(TriangleDome, CoversTheCeiling) {
   EXPECT_GT(up->height, 8.0);
 }
 
-TEST(TriangleDome, IsMetByNoRayFromOutsideAndByNone) {
+TEST(TriangleDome, HasNoTriangleForRaysFromOutsideOrWithoutDirection) {
   const TriangleDome dome(10.0, 4);
   EXPECT_FALSE(dome.meet({12.0, 0.0, 0.5}, {1.0, 0.0, 0.0}));
   EXPECT_FALSE(dome.meet({0.0, 0.0, 0.5}, {0.0, 0.0, 0.0}));

@@ -53,7 +53,7 @@ TEST(CompassRows, PoolAllButTheLastAxisFirst) {
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].method, i % methods);
 }
 
-TEST(CompassRows, DistinguishKnowledgeFromGuessing) {
+TEST(CompassRows, DistinguishInformedMethodsFromGuessing) {
   const auto rows = compass_rows(experiment_of_rooms_and_lights(), cells_with({1.0, 2.0, 3.0}));
   for (const CompassFigure& figure : rows[0].figures) {
     EXPECT_EQ(figure.area, 1.0);
@@ -101,7 +101,7 @@ TEST(EqualErrorRate, IsWhereMissesAreAsManyAsFalseAlarms) {
   EXPECT_TRUE(std::isnan(equal_error_rate({})));
 }
 
-TEST(BootstrapAreaInterval, HoldsTheAreaAndIsWiderWhereCasesDependOnEachOther) {
+TEST(BootstrapAreaInterval, ContainsTheAreaAndIsWiderForDependentCases) {
   Random random(1);
   std::vector<ScoredGroup> independent, dependent;
   std::vector<double> positives, negatives;

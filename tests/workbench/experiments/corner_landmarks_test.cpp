@@ -88,7 +88,7 @@ TEST(FindCorners, ReturnsNoTwoCornersSideBySide) {
   }
 }
 
-TEST(FindCorners, SearchesOnlyTheRowsThatItIsGivenAndKeepsItsMargin) {
+TEST(FindCorners, SearchesOnlyTheGivenRowsWithinItsMargin) {
   const Image image = drawn(96, 96, texture);
   for (const Corner& corner : find_corners(LumaPlane(image.view()), 50, 5)) {
     EXPECT_LT(corner.y, 50);
@@ -101,7 +101,7 @@ TEST(FindCorners, SearchesOnlyTheRowsThatItIsGivenAndKeepsItsMargin) {
   for (const int size : {2, 34, 36}) EXPECT_TRUE(corners_in(drawn(size, size, texture), 5).empty()) << size;
 }
 
-TEST(CornerDescriptor, IsTheSameAfterAQuarterTurnOfTheImage) {
+TEST(CornerDescriptor, IsTheSameAfterARotationOfTheImageBy90Degrees) {
   constexpr int kMiddle = 48;
   const Corner corner{kMiddle, kMiddle, 1};
   const LumaPlane upright(drawn(97 + 1, 97, texture).view());
@@ -112,7 +112,7 @@ TEST(CornerDescriptor, IsTheSameAfterAQuarterTurnOfTheImage) {
   EXPECT_EQ(distance(one.describe(corner), other.describe(corner)), 0);
 }
 
-TEST(CornerDescriptor, HardlyChangesWithBrightnessAndGrainButFromPlaceToPlace) {
+TEST(CornerDescriptor, ChangesLittleWithBrightnessAndNoiseButMuchBetweenPlaces) {
   Random random(5);
   const LumaPlane image(drawn(96, 96, texture).view());
   const LumaPlane dim(
@@ -142,7 +142,7 @@ TEST(CornerDescriptor, IsTheSameOnEveryProcessor) {
       << "the features of an image are another set than before; update this number on purpose only";
 }
 
-TEST(CornerDescriptor, IsWithoutDirectionInAnEvenPatch) {
+TEST(CornerDescriptor, HasNoDirectionInAnEvenPatch) {
   const LumaPlane even(drawn(64, 64, [](int, int) { return 70; }).view());
   const CornerDescriber describer(even, 64);
   EXPECT_EQ(describer.direction_of({32, 32, 1}), 0);
@@ -224,7 +224,7 @@ TEST(CornerCompass, HasLittleEvidenceInASymmetricRoom) {
   }
 }
 
-TEST(CornerCompass, HoldsToAMapThatWasLearnedMirrored) {
+TEST(CornerCompass, FollowsAMapThatWasLearnedMirrored) {
   TurningRobot learner(test::PaintedRoom::colorful(5), {0.5, 0.3, 0.0});
   CornerCompass compass;
   for (int i = 0; i < 300; ++i) {
@@ -237,7 +237,7 @@ TEST(CornerCompass, HoldsToAMapThatWasLearnedMirrored) {
   EXPECT_GT(learner.ask(compass, false, 45), 20.0);
 }
 
-TEST(CornerCompass, TakesItsTimeToFlipAfterALongTimeOfRightPoses) {
+TEST(CornerCompass, FlipsLateAfterALongTimeOfRightPoses) {
   TurningRobot learner(test::PaintedRoom::colorful(5), {0.5, 0.3, 0.0});
   CornerCompass compass(narrow_gates());
   learner.teach(compass);
@@ -248,7 +248,7 @@ TEST(CornerCompass, TakesItsTimeToFlipAfterALongTimeOfRightPoses) {
 
 CornerView view_of(const RoomObservation& view) { return *CornerView::of(view, 20, 100); }
 
-TEST(CornerMap, ForgetsWhatIsNotSeenAgainWhereItShouldBe) {
+TEST(CornerMap, RemovesLandmarksThatAreNotSeenAgain) {
   const Image image = drawn(160, 120, [](int x, int y) { return texture(x % 96, y); });
   const Image blank = drawn(160, 120, [](int, int) { return 128; });
   RoomObservation view;
@@ -274,7 +274,7 @@ TEST(CornerMap, ForgetsWhatIsNotSeenAgainWhereItShouldBe) {
   EXPECT_LE(map.size(), learned / 3) << "one at the border of the searched part may stay";
 }
 
-TEST(CornerMap, HasNoMoreLandmarksThanItMay) {
+TEST(CornerMap, HasAtMostTheLargestNumberOfLandmarks) {
   CornerMapParameters parameters;
   parameters.landmarks = 40;
   parameters.gate_bits = 0;  // hardly anything is seen again
@@ -287,7 +287,7 @@ TEST(CornerMap, HasNoMoreLandmarksThanItMay) {
   EXPECT_GE(map.size(), 20);
 }
 
-TEST(CornerMap, CoversWhatItHasSeenOften) {
+TEST(CornerMap, CoversDirectionsThatItHasSeenOften) {
   CornerMap map({});
   EXPECT_EQ(map.coverage(), 0.0);
   TurningRobot learner(test::PaintedRoom::colorful(5), {0.5, 0.3, 0.0});
@@ -297,7 +297,7 @@ TEST(CornerMap, CoversWhatItHasSeenOften) {
   EXPECT_GE(map.coverage(), 0.8);
 }
 
-TEST(CornerView, LeavesOutWhatIsBelowTheHorizonAndWhatIsCovered) {
+TEST(CornerView, LeavesOutCornersBelowTheHorizonOrCovered) {
   const Image image = drawn(160, 120, [](int x, int y) { return texture(x % 96, y % 96); });
   RoomObservation view;
   view.image = image.view();

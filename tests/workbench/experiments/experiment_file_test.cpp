@@ -130,7 +130,7 @@ std::string with_usual(const std::string& usual) {
          "]\n[[axis.choice]]\nname = \"same\"\n[[axis.choice]]\nname = \"hard\"\nlimit = 5\n";
 }
 
-TEST(ExperimentFile, TakesTheUsualChoicesOfAnAxis) {
+TEST(ExperimentFile, UsesTheUsualChoicesOfAnAxis) {
   const std::vector<Cell> cells = cells_of(parsed(with_usual("\"hard\"")));
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_EQ(cells[0].choices, std::vector<std::string>{"hard"});
@@ -139,7 +139,7 @@ TEST(ExperimentFile, TakesTheUsualChoicesOfAnAxis) {
   EXPECT_NE(refusal(with_usual("\"hrad\"")).find("unknown choice 'hrad' of the axis"), std::string::npos);
 }
 
-TEST(Choices, AreThoseThatAreAskedForInTheirOrderAndOnce) {
+TEST(Choices, AreTheRequestedOnesInTheirOrderAndOnce) {
   Experiment experiment = parsed(with_usual("\"hard\""));
   const auto refuse = [](const Axis& axis, const std::string& name) -> AxisChoice {
     throw std::runtime_error(axis.name + " has no " + name);
@@ -153,7 +153,7 @@ TEST(Choices, AreThoseThatAreAskedForInTheirOrderAndOnce) {
   EXPECT_THROW(choose(experiment, "lihgt", {"same"}, refuse), std::runtime_error);
 }
 
-TEST(Choices, MayBeMadeWhereTheAxisHasThemNot) {
+TEST(Choices, MayBeAddedIfTheAxisDoesNotHaveThem) {
   Experiment experiment = parsed(with_usual("\"hard\""));
   choose(experiment, "light", {"mine"}, [](const Axis&, const std::string& name) {
     AxisChoice choice{name, {}};
@@ -247,7 +247,7 @@ TEST(ExperimentFile, MayContainPublishedResults) {
   EXPECT_FALSE(reference.flip);
 }
 
-TEST(ExperimentFile, RefusesReferencesThatBelongToNothing) {
+TEST(ExperimentFile, RefusesReferencesToUnknownChoices) {
   const std::string reference = kReference;
   const auto with = [&reference](const std::string& more) { return refusal(kTwoAxes + reference + more); };
   EXPECT_NE(with("choices.mod = \"paper\"\n").find("unknown axis or choice 'mod' = 'paper'"), std::string::npos);
@@ -258,7 +258,7 @@ TEST(ExperimentFile, RefusesReferencesThatBelongToNothing) {
             std::string::npos);
 }
 
-TEST(ExperimentFile, ThatIsNotThereIsNamed) {
+TEST(ExperimentFile, ThatIsMissingIsNamed) {
   try {
     read_experiment("/no/such/file.toml", {});
     FAIL();

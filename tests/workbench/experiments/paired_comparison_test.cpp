@@ -13,7 +13,7 @@ Outcome came_right(std::uint64_t seed, double right_after) { return {seed, true,
 Outcome came_to_nothing(std::uint64_t seed) { return {seed, true, true, {}, {}, {}, 0}; }
 Outcome left_correct(std::uint64_t seed) { return {seed, false, false, 0.1, {}, {}, 0}; }
 
-TEST(PairedComparison, PairsEqualSeedsInWhateverOrder) {
+TEST(PairedComparison, PairsEqualSeedsInAnyOrder) {
   const PairedComparison comparison = compare_pairs({came_right(1, 2.0), came_right(2, 3.0), came_right(3, 4.0)},
                                                     {came_right(3, 1.0), came_right(2, 3.5)});
   EXPECT_EQ(comparison.pairs, 2);
@@ -22,7 +22,7 @@ TEST(PairedComparison, PairsEqualSeedsInWhateverOrder) {
   EXPECT_EQ(comparison.median_difference, -1.25);
 }
 
-TEST(PairedComparison, CountsFailuresThatOnlyOneHad) {
+TEST(PairedComparison, CountsFailuresOfOneTrialOfAPair) {
   const PairedComparison comparison =
       compare_pairs({came_to_nothing(1), came_to_nothing(2), came_to_nothing(3), came_right(4, 1.0)},
                     {came_right(1, 2.0), came_right(2, 2.0), came_to_nothing(3), came_to_nothing(4)});
@@ -43,7 +43,7 @@ TEST(PairedComparison, LeavesOutPairsWithAnUndisturbedTrial) {
   EXPECT_EQ(comparison.failed_p, 1.0);
 }
 
-TEST(PairedComparison, ReportsAConstantDelayWithAnIntervalOfNoWidth) {
+TEST(PairedComparison, ReportsAConstantDelayWithAnIntervalOfZeroWidth) {
   std::vector<Outcome> first, second;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     first.push_back(came_right(seed, static_cast<double>(seed)));
@@ -57,7 +57,7 @@ TEST(PairedComparison, ReportsAConstantDelayWithAnIntervalOfNoWidth) {
   EXPECT_NEAR(comparison.times_p, 2.0 / 256.0, 1e-12);
 }
 
-TEST(PairedComparison, OfNothingKnowsNothing) {
+TEST(PairedComparison, WithoutTrialsHasNoValues) {
   const PairedComparison comparison = compare_pairs({}, {});
   EXPECT_EQ(comparison.pairs, 0);
   EXPECT_EQ(comparison.failed_p, 1.0);

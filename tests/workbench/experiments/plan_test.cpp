@@ -46,7 +46,7 @@ TEST(Plan, ComparesCellsOnTheSameSeeds) {
   for (const Task& task : tasks_of(two_by_three(), 10)) EXPECT_EQ(task.seed, 10U + static_cast<unsigned>(task.trial));
 }
 
-TEST(Plan, RefusesMoreThanAnybodyCanWaitFor) {
+TEST(Plan, RefusesTooManyTrials) {
   Experiment experiment = two_by_three();
   experiment.trials = 1'000'000;
   EXPECT_THROW(tasks_of(experiment, 1), std::runtime_error);

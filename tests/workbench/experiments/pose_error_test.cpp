@@ -66,7 +66,7 @@ TEST(PoseErrors, AreRootMeanSquaresOverFrames) {
   EXPECT_EQ(row.mirrored, 0.0);
 }
 
-TEST(PoseErrors, OfABeliefThatLooksTheOtherWayAreThoseOfTheReflection) {
+TEST(PoseErrors, OfAMirroredBeliefAreThoseOfItsReflection) {
   Compared compared;
   compared.believe(kPlace, 0.1);
   compared.believe(reflect(off_by(0.1, 0.0)), 4.0);
@@ -125,7 +125,7 @@ TEST(PoseErrors, CountNothingInTheAir) {
   EXPECT_EQ(compared.observer.errors().frames, 0);
 }
 
-TEST(PoseErrors, AreNoneWhereNoTrialComparedThem) { EXPECT_FALSE(pose_row_of({TrialResult()})); }
+TEST(PoseErrors, AreMissingIfNoTrialMeasuredThem) { EXPECT_FALSE(pose_row_of({TrialResult()})); }
 
 }  // namespace
 }  // namespace reorient

@@ -78,7 +78,7 @@ TEST(ReportPage, NeedsNoNetworkAndNoScript) {
     EXPECT_FALSE(has(page, word)) << word;
 }
 
-TEST(ReportPage, TreatsTextOfPeopleNeverAsMarkup) {
+TEST(ReportPage, EscapesTextOfUsers) {
   const std::string page = report_page(report_with(kHostile, 6));
   EXPECT_EQ(mistake_in_markup(page), "");
   EXPECT_FALSE(has(page, "<script"));
@@ -112,7 +112,7 @@ TEST(ReportPage, ShowsThatATimeIsLaterThanTheLimit) {
   EXPECT_TRUE(has(page, "<td>&gt; 60</td>"));
 }
 
-TEST(ReportPage, PutsOnesOwnRowsBesideWhatOthersMeasured) {
+TEST(ReportPage, ShowsPublishedResultsBesideTheRows) {
   const std::string page = report_page(report_with("halls", 6));
   EXPECT_TRUE(has(page, "<td>70 %</td>"));
   EXPECT_TRUE(has(page, "<td>18.1</td>"));
@@ -127,7 +127,7 @@ TEST(ReportPage, ReportsWhichTrialsWereNeverMeasured) {
   EXPECT_NE(report_page(report).find("x1, x: 1 of 3 trials never reached the state"), std::string::npos);
 }
 
-TEST(ReportPage, OfTrialsThatShowNothingIsStillAPage) {
+TEST(ReportPage, OfTrialsWithoutResultsIsStillAPage) {
   Report report = report_with("halls", 2);
   for (CellResults& cell : report.cells) {
     cell.trials.assign(2, TrialResult());
@@ -224,7 +224,7 @@ TEST(TrialsCsv, HasALineForEachTrial) {
   EXPECT_TRUE(has(csv, "\r\nhalls1,halls,4,1,true,true,false,70,"));
 }
 
-TEST(TrialsCsv, QuotesWhatPeopleSay) {
+TEST(TrialsCsv, QuotesTexts) {
   const std::string csv = trials_as_csv(report_with(kHostile, 1));
   EXPECT_TRUE(csv.starts_with("\"<script>alert('x')</script> \"\"&\\x01\\xFF\\xC0, =1\",mode,"));
   EXPECT_TRUE(is_utf8(csv));

@@ -39,7 +39,7 @@ TrialResult stays_correct(double right_seconds, int false_flips) {
   return result;
 }
 
-TEST(Row, CountsFailuresOfThoseThatWereDisturbed) {
+TEST(Row, CountsFailuresOfDisturbedTrials) {
   const Row row = row_of({corrected(3.0), failed(), stays_correct(100.0, 0), TrialResult()});
   EXPECT_EQ(row.trials, 4);
   EXPECT_EQ(row.disturbed, 3);
@@ -99,7 +99,7 @@ TEST(Row, CountsFalseFlipsPerHourOfRightBelief) {
   EXPECT_NEAR(row.false_flip_rate.high, 11.668, 1e-3);
 }
 
-TEST(Row, AsksTheEvidenceOnlyWhereItIsUsedAndOneOfTheTwoPosesIsRight) {
+TEST(Row, UsesTheEvidenceOnlyIfItIsUsableAndOneOfTheTwoPosesIsRight) {
   TrialResult trial = corrected(3.0);
   const double sure = std::log(9.0);
   trial.confidences = {{0.5, 0.0, 0.0, sure, RoomStatus::usable, false, true},    // right: the reflection it was
@@ -113,7 +113,7 @@ TEST(Row, AsksTheEvidenceOnlyWhereItIsUsedAndOneOfTheTwoPosesIsRight) {
   EXPECT_NEAR(*row.calibration_error, 0.9 - 2.0 / 3.0, 1e-9);
 }
 
-TEST(Row, ReportsForHowMuchOfTheTimeTheRoomWasCalledSymmetric) {
+TEST(Row, ReportsTheFractionOfTimeInWhichTheRoomWasCalledSymmetric) {
   TrialResult trial = stays_correct(30.0, 0);
   trial.wrong_seconds = 10.0;
   trial.uninformative_seconds = 10.0;
@@ -138,7 +138,7 @@ TEST(Row, ReportsHowWellTheConfidencesSeparateWrongBeliefsFromRightOnes) {
   EXPECT_EQ(row_of({trial}).confidence_area, 0.75) << "no look";
 }
 
-TEST(Row, OfNothingKnowsNothing) {
+TEST(Row, WithoutTrialsHasNoValues) {
   const Row row = row_of({});
   EXPECT_FALSE(row.calibration_error);
   EXPECT_FALSE(row.uninformative_time);
@@ -176,7 +176,7 @@ TEST(RowsOfAllRooms, CountTheTrialsOfEachChoiceTogether) {
   EXPECT_EQ(pooled[1].row.right.mean, 6.0);
 }
 
-TEST(RowsOfAllRooms, AreNoneWhereThereAreNotSeveral) {
+TEST(RowsOfAllRooms, AreMissingForASingleRoom) {
   const std::vector<CellResults> one_room = {cell({"head", "hall"}, {failed()}), cell({"walk", "hall"}, {failed()})};
   EXPECT_TRUE(pooled_over_rooms(of_axes({"motion", "room"}), one_room).empty());
   EXPECT_TRUE(pooled_over_rooms(of_axes({"motion", "light"}), one_room).empty());

@@ -27,12 +27,12 @@ TEST(WilsonInterval, IsNewcombes) {  // 1998, table I, method 3
   expect_interval(wilson_interval(1, 29), 0.0061, 0.1718, 5e-5);
 }
 
-TEST(WilsonInterval, IsMirroredAndKnowsNothingWithoutTrials) {
+TEST(WilsonInterval, IsSymmetricAndCoversEverythingWithoutTrials) {
   expect_interval(wilson_interval(20, 20), 1.0 - 0.1611, 1.0, 5e-5);
   expect_interval(wilson_interval(0, 0), 0.0, 1.0, 0.0);
 }
 
-RC_GTEST_PROP(WilsonIntervalProperty, HoldsWhatWasSeen, ()) {
+RC_GTEST_PROP(WilsonIntervalProperty, ContainsTheObservedRate, ()) {
   const int trials = *rc::gen::inRange(1, 10'000);
   const int events = *rc::gen::inRange(0, trials + 1);
   const Interval interval = wilson_interval(events, trials);
@@ -48,7 +48,7 @@ TEST(PoissonInterval, IsGarwoods) {  // 1936; as tabled by Ulm 1990 and others
   expect_interval(poisson_interval(100), 81.364, 121.627, 5e-3);
 }
 
-TEST(PoissonInterval, HoldsForThousandsOfEventsToo) {
+TEST(PoissonInterval, IsValidForThousandsOfEvents) {
   const Interval interval = poisson_interval(5000);
   EXPECT_NEAR(interval.low, 4862.4, 1.0);
   EXPECT_NEAR(interval.high, 5140.6, 1.0);
@@ -60,7 +60,7 @@ TEST(PoissonInterval, OfARateIsPerUnitOfExposure) {
   EXPECT_TRUE(std::isinf(poisson_rate(0, 0.0).high));
 }
 
-TEST(KaplanMeier, IsTheirsForTheLeukemiaTrial) {  // Freireich et al. 1963, weeks in remission under 6-MP
+TEST(KaplanMeier, IsThePublishedOneForTheLeukemiaTrial) {  // Freireich et al. 1963, weeks in remission under 6-MP
   std::vector<CensoredTime> times;
   for (const double seen : {6, 6, 6, 7, 10, 13, 16, 22, 23}) times.push_back({seen, true});
   for (const double left : {6, 9, 10, 11, 17, 19, 20, 25, 32, 32, 34, 35}) times.push_back({left, false});
@@ -129,7 +129,7 @@ TEST(BootstrapInterval, OfOneValueIsThatValue) {
   EXPECT_TRUE(std::isnan(bootstrap_interval({}).low));
 }
 
-TEST(BootstrapInterval, OfAMedianDoesNotMindOneWildValue) {
+TEST(BootstrapInterval, OfAMedianIsRobustAgainstAnOutlier) {
   std::vector<double> values{1e9};
   for (int i = 0; i < 30; ++i) values.push_back(i % 5);
   const Interval interval = bootstrap_median_interval(values);
@@ -138,7 +138,7 @@ TEST(BootstrapInterval, OfAMedianDoesNotMindOneWildValue) {
   EXPECT_TRUE(std::isnan(bootstrap_median_interval({}).high));
 }
 
-TEST(McNemar, HoldsForThousandsOfPairs) {
+TEST(McNemar, IsValidForThousandsOfPairs) {
   EXPECT_EQ(mcnemar_p(1500, 1500), 1.0);
   EXPECT_NEAR(mcnemar_p(2450, 2550), 0.1615, 5e-4);  // R's binom.test(2450, 5000)
   EXPECT_EQ(mcnemar_p(0, 5000), 0.0);
@@ -172,7 +172,7 @@ TEST(Wilcoxon, CountsEqualDifferencesWithTheirMeanRankAndLeavesOutPairsThatDoNot
   EXPECT_EQ(wilcoxon_p({}), 1.0);
 }
 
-TEST(Wilcoxon, GoesOverToTheNormalDistributionWithoutAJump) {
+TEST(Wilcoxon, ChangesToTheNormalDistributionWithoutAJump) {
   const auto p = [](int count) {
     std::vector<std::pair<double, double>> pairs;
     for (int i = 1; i <= count; ++i) pairs.emplace_back(0.0, i % 5 < 3 ? i : -i);
@@ -183,7 +183,7 @@ TEST(Wilcoxon, GoesOverToTheNormalDistributionWithoutAJump) {
   EXPECT_LT(p(5000), 1e-6);
 }
 
-RC_GTEST_PROP(WilcoxonProperty, DoesNotCareWhichWayIsTheFirst, (const std::vector<std::pair<int, int>>& values)) {
+RC_GTEST_PROP(WilcoxonProperty, IsSymmetricInBothSamples, (const std::vector<std::pair<int, int>>& values)) {
   std::vector<std::pair<double, double>> pairs, exchanged;
   for (const auto& [first, second] : values) {
     pairs.emplace_back(first, second);
@@ -215,7 +215,7 @@ TEST(Calibration, CountsOverconfidenceAndUnderconfidence) {
   EXPECT_NEAR(calibration_error(calibration_bins(both)), 0.4, 1e-6) << "they do not balance each other";
 }
 
-TEST(Calibration, OfNothingIsNoError) {
+TEST(Calibration, WithoutProbabilitiesHasNoError) {
   EXPECT_TRUE(calibration_bins({}).empty());
   EXPECT_EQ(calibration_error({}), 0.0);
   const std::vector<double> extremes{1e300, -1e300, 0.0};

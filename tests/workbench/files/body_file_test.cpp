@@ -53,7 +53,7 @@ TEST(BodyFile, OfTheNaoHasTheDefaultsOfTheCode) {
   EXPECT_EQ(bytes_of_body(load_body(kAssets / "robots" / "nao-v6.toml")), bytes_of_body(RobotBody()));
 }
 
-TEST(BodyFile, OfEachShippedRobotNamesAFieldThatThereIs) {
+TEST(BodyFile, OfEachShippedRobotNamesAnExistingField) {
   int robots = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kAssets / "robots")) {
     if (entry.path().extension() != ".toml") continue;
@@ -64,7 +64,7 @@ TEST(BodyFile, OfEachShippedRobotNamesAFieldThatThereIs) {
   EXPECT_GE(robots, 3);
 }
 
-TEST(BodyFile, OfTheBoostersPutsTheirCamerasWhereTheyWereMeasured) {
+TEST(BodyFile, OfTheBoostersHasTheMeasuredCameraPositions) {
   const RobotBody k1 = load_body(kAssets / "robots" / "booster-k1.toml");
   EXPECT_NEAR(standing_camera_height(k1), 0.88, 0.001);
   EXPECT_FALSE(k1.standing_load);
@@ -100,7 +100,7 @@ std::string nao_with_lens(const std::string& keys) {
   return text;
 }
 
-TEST(BodyFile, TakesACalibrationOfOpenCv) {
+TEST(BodyFile, AcceptsACalibrationOfOpenCv) {
   const RobotBody body = parse_body(
       nao_with_lens("focal = [611.5, 612.25]\ncenter = [322.0, 236.5]\ndistortion = [0.05, -0.08, 0.001, 0.002, 0.02]"),
       "robot.toml");

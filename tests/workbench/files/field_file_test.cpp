@@ -98,7 +98,7 @@ TEST(FieldFile, ContainsToWhichPartOfALineItIsMeasured) {
             std::string::npos);
 }
 
-TEST(FieldFile, WhoseLinesLeaveNothingOfItIsRefused) {
+TEST(FieldFile, ThatIsTooSmallWithoutItsLinesIsRefused) {
   const std::string text = with("length", "2.0");
   EXPECT_EQ(complaint_about(text), "");
   std::string outside = text;

@@ -66,7 +66,7 @@ TEST_P(Watcher, NoticesAFolderThatIsReplaced) {
   EXPECT_EQ(reports(watcher), 1);
 }
 
-TEST_P(Watcher, FollowsWhereTheWholeFolderIsReplaced) {
+TEST_P(Watcher, ContinuesAfterTheWholeFolderIsReplaced) {
   folder_.write("scripts/a.lua", "1");
   folder_.write("other/a.lua", "22");
   const std::filesystem::path root = folder_.path() / "scripts";

@@ -28,14 +28,14 @@ class InAFolder {
   std::filesystem::path before_;
 };
 
-TEST(AssetName, StandsForAFileOfThatPathBeforeAnAsset) {
+TEST(AssetName, MeansAFileOfThatPathBeforeAnAsset) {
   const TemporaryFolder folder;
   folder.write("hard", "");
   const InAFolder here(folder.path());
   EXPECT_EQ(asset_file("parameters/light", "hard", kToml), "hard");
 }
 
-TEST(AssetName, StandsForAnAssetWhereAFolderIsCalledSo) {
+TEST(AssetName, MeansAnAssetIfAFolderHasThatName) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "localization");
   const InAFolder here(folder.path());
@@ -43,7 +43,7 @@ TEST(AssetName, StandsForAnAssetWhereAFolderIsCalledSo) {
   EXPECT_TRUE(std::filesystem::is_regular_file(file)) << file;
 }
 
-TEST(AssetName, StandsForItselfWhereThereIsNeither) {
+TEST(AssetName, IsUnchangedWithoutFileAndAsset) {
   EXPECT_EQ(asset_file("experiments", "no_such_experiment", kToml), "no_such_experiment");
 }
 

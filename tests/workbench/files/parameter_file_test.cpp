@@ -73,7 +73,7 @@ TEST_F(ParameterFile, WithAKeyOfAHundredThousandPartsDoesNotExhaustTheStack) {
   EXPECT_NE(refusal("a = [\n" + repeated(level, 120)).find("p.toml:"), std::string::npos);
 }
 
-TEST_F(ParameterFile, OfTablesThatLieTooDeeplyInEachOtherIsRefused) {
+TEST_F(ParameterFile, WithTablesNestedTooDeeplyIsRefused) {
   EXPECT_EQ(refusal("a" + repeated(".a", 15) + " = 1\n"), "accepted");
   EXPECT_NE(refusal("\na" + repeated(".a", 400) + " = 1\n")
                 .find("p.toml:2: expected names such as orientation.lingering, found tables"),
@@ -86,13 +86,13 @@ TEST_F(ParameterFile, OfAHundredThousandKeysIsRefused) {
   EXPECT_NE(refusal(keys).find("expected at most 10000 parameters"), std::string::npos);
 }
 
-TEST_F(ParameterFile, ThatIsLargerThanAnybodyWritesIsRefused) {
+TEST_F(ParameterFile, ThatIsTooLargeIsRefused) {
   EXPECT_NE(refusal(repeated("# a comment, of which there is no end\n", 30'000))
                 .find("p.toml:1: expected a file of at most 1 MiB"),
             std::string::npos);
 }
 
-TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
+TEST_F(ParameterFile, MayHaveOtherLettersThanAsciiOnlyInQuotesAndComments) {
   for (const char* text :
        {"a = 1 # \xc2\xa1", "\xef\xbb\xbf\x61 = 1", "\"\xc2\xa1\" = '\xc2\xa1'", "a = \"\\\"\xc2\xa1\"",
         "a = \"\"\"\n\xc2\xa1\"\"\"\"\" # \xc2\xa1", "a = '''\xc2\xa1'\n''\xc2\xa1'''", "a = '''\\\xc2\xa1'''",
@@ -105,7 +105,7 @@ TEST_F(ParameterFile, HasLettersBeyondAsciiInQuotesAndCommentsOnly) {
     EXPECT_NE(refusal(text).find("p.toml:2: expected ASCII letters, found another one"), std::string::npos) << text;
 }
 
-TEST_F(ParameterFile, ThatIsNoTomlIsRefusedForThatWhateverLettersItHolds) {
+TEST_F(ParameterFile, ThatIsNotTomlIsRefusedWithAnyLetters) {
   EXPECT_EQ(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o"), refusal("\nother = -n\"\"\"\"[[((?o"));
   EXPECT_NE(refusal("\nother = -n\"\"\"\"[[((\xef\xbb\xb9o").find("p.toml:2: "), std::string::npos);
 }
@@ -120,7 +120,7 @@ TEST_F(ParameterFile, ReportsMistakesOnOneLineForAnyBytes) {
   }
 }
 
-TEST_F(ParameterFile, StoresWhatDiffersFromTheDefaults) {
+TEST_F(ParameterFile, StoresValuesThatDifferFromTheDefaults) {
   Parameter noise;
   noise.name = "view.noise";
   noise.value = 0.123456789012345;

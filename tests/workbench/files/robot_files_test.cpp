@@ -54,7 +54,7 @@ TEST(CalibrationFile, IsReadAsItWasWritten) {
   EXPECT_EQ(to_toml({}).find("footage"), std::string::npos);
 }
 
-TEST(CalibrationFile, MayLeaveOutWhatIsAsTheDataSheetSays) {
+TEST(CalibrationFile, MayLeaveOutValuesOfTheDataSheet) {
   const Calibration calibration = parse_calibration("[lower]\ntilt_degrees = 1\n", "file.toml");
   EXPECT_EQ(calibration.offsets[0].tilt, 0.0);
   EXPECT_NEAR(calibration.offsets[1].tilt, from_degrees(1.0), 1e-12);

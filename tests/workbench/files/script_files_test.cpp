@@ -42,7 +42,7 @@ TEST_F(ScriptFilesTest, ThatCannotBeUsedReportTheReason) {
   EXPECT_NE(problem("behaviors/folder.lua").find("expected a plain file"), std::string::npos);
 }
 
-TEST_F(ScriptFilesTest, ALinkLeadsNowhereOutOfTheRoot) {
+TEST_F(ScriptFilesTest, ALinkOutOfTheRootIsRefused) {
   const TemporaryFolder elsewhere;
   elsewhere.write("secret.lua", "return 1");
   folder_.write("behaviors/here.lua", "return 2");
@@ -64,7 +64,7 @@ TEST_F(ScriptFilesTest, AMissingFolderIsReportedInOneLine) {
 }
 
 /// Root reads everything: so another user reads it, in a child.
-TEST_F(ScriptFilesTest, BesideAFolderThatIsNotOursToReadAreAllRead) {
+TEST_F(ScriptFilesTest, BesideAnUnreadableFolderAreAllRead) {
   for (const char* const name : {"behaviors/a.lua", "behaviors/zz/b.lua", "lib/c.lua", "scenarios/d.lua"})
     folder_.write(name, "return {}");
   const std::filesystem::path secret = folder_.path() / "behaviors" / "private";
@@ -88,7 +88,7 @@ TEST_F(ScriptFilesTest, BesideAFolderThatIsNotOursToReadAreAllRead) {
   EXPECT_EQ(WEXITSTATUS(status), 4);
 }
 
-TEST_F(ScriptFilesTest, AreNamedAsPeopleDo) {
+TEST_F(ScriptFilesTest, AreNamedWithOrWithoutFolderAndExtension) {
   const std::filesystem::path file = folder_.write("behaviors/a.lua", "");
   EXPECT_EQ(script_named(folder_.path(), "a"), "a");
   EXPECT_EQ(script_named(folder_.path(), file.string()), "behaviors/a.lua");
@@ -116,7 +116,7 @@ TEST_F(ScriptFilesTest, AnEditIsReportedWithinTheDebounceTime) {
   EXPECT_TRUE(files.poll(2.0).empty());
 }
 
-TEST_F(ScriptFilesTest, StayWhileTheirFolderIsGone) {
+TEST_F(ScriptFilesTest, StayWhileTheirFolderIsMissing) {
   folder_.write("scripts/behaviors/a.lua", "text");
   ScriptFiles files(folder_.path() / "scripts");
   std::filesystem::rename(folder_.path() / "scripts", folder_.path() / "elsewhere");
@@ -124,7 +124,7 @@ TEST_F(ScriptFilesTest, StayWhileTheirFolderIsGone) {
   EXPECT_NE(files.texts().find("behaviors/a.lua"), nullptr);
 }
 
-TEST_F(ScriptFilesTest, AreReadAgainOnceAnotherFolderStandsThere) {
+TEST_F(ScriptFilesTest, AreReadAgainFromANewFolder) {
   folder_.write("scripts/behaviors/a.lua", "old");
   folder_.write("next/behaviors/a.lua", "new");
   ScriptFiles files(folder_.path() / "scripts");

@@ -55,7 +55,7 @@ TEST(LogTopics, ThatAreTheOnlyOnesAreChosen) {
   EXPECT_EQ(chosen.lines.at(0), "image: /camera/image_raw (sensor_msgs/msg/Image, cdr)");
 }
 
-TEST(LogTopics, OfSeveralCamerasMustBeNamed) {
+TEST(LogTopics, OfSeveralCamerasNeedAName) {
   const mcap::Contents contents = contents_of({{"/left/image_raw", kImage},
                                                {"/left/camera_info", kInfo},
                                                {"/right/image_raw/compressed", "sensor_msgs/msg/CompressedImage"},
@@ -87,7 +87,7 @@ TEST(LogTopics, ThatAreMissingAreNamedWithWhatCannotBeRead) {
   EXPECT_EQ(choose_topics(contents_of({{"/camera/image_raw", kImage}}), {}, false).channels.size(), 1u);
 }
 
-TEST(LogTopics, OfPosesBesideTransformsAreNotChosenBlindly) {
+TEST(LogTopics, OfPosesBesideTransformsNeedAName) {
   std::vector<std::pair<std::string, std::string>> topics{
       {"/image", kImage}, {"/camera_info", kInfo}, {"/a", kPose}, {"/b", kPose}};
   EXPECT_EQ(error_of(contents_of(topics)), "expected the name of one pose topic, because there are 2: '/a', '/b'");
@@ -116,7 +116,7 @@ TEST(LogTopics, OfOneMessageTypeServeAsPoseAndOdometry) {
       std::vector{Content::pose});
 }
 
-TEST(LogTopics, WithoutMessagesAreNotThere) {
+TEST(LogTopics, WithoutMessagesAreMissing) {
   mcap::Contents contents =
       contents_of({{"/camera/image_raw", kImage}, {"/camera/camera_info", kInfo}, {"/camera/image_rect", kImage}});
   contents.statistics.emplace().messages_of = {{2, 5}, {3, 5}};

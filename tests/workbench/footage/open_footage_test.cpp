@@ -97,7 +97,7 @@ TEST_F(OpenFootage, IsAFolderWithATable) {
   EXPECT_EQ(frames[1].camera.width, 16);
 }
 
-TEST_F(OpenFootage, IsAFolderOfImagesInTheOrderOfTheirNamesWhereItsTimesAreGiven) {
+TEST_F(OpenFootage, IsAFolderOfImagesInOrderOfNameIfItsTimesAreGiven) {
   folder_.write("2.png", "16 8 2");
   folder_.write("1.PNG", "16 8 1");
   folder_.write("notes.txt", "none");
@@ -144,7 +144,7 @@ TEST_F(OpenFootage, ReportsWhereAVideoAndItsTableDiffer) {
   expect_refused(failure, "walk.mkv: expected 2 frames, as many as rows of the table, found more");
 }
 
-TEST_F(OpenFootage, KeepsWhatCameBeforeAnImageThatIsMissing) {
+TEST_F(OpenFootage, KeepsTheFramesBeforeAMissingImage) {
   folder_.write("a.jpg", "16 8 1");
   folder_.write("frames.csv", "image,time_s\na.jpg,1\nb.jpg,2\n");
   const auto [frames, failure] = read(folder());
@@ -153,7 +153,7 @@ TEST_F(OpenFootage, KeepsWhatCameBeforeAnImageThatIsMissing) {
   expect_refused(failure, "frames.csv:3, found nothing of that name");
 }
 
-TEST_F(OpenFootage, KeepsWhatCameBeforeAnImageOfAnotherSize) {
+TEST_F(OpenFootage, KeepsTheFramesBeforeAnImageOfAnotherSize) {
   folder_.write("a.jpg", "16 8 1");
   folder_.write("b.jpg", "32 8 1");
   folder_.write("frames.csv", "image,time_s\na.jpg,1\nb.jpg,2\n");
@@ -162,7 +162,7 @@ TEST_F(OpenFootage, KeepsWhatCameBeforeAnImageOfAnotherSize) {
   expect_refused(failure, "frames.csv:3: expected an image of 16x8 pixels, as the first one, found 32x8");
 }
 
-TEST_F(OpenFootage, WaitsForNoPipe) {
+TEST_F(OpenFootage, DoesNotWaitForAPipe) {
   ASSERT_EQ(mkfifo((folder() / "pipe.jpg").c_str(), 0600), 0);
   ASSERT_EQ(mkfifo((folder() / "pipe.csv").c_str(), 0600), 0);
   ASSERT_EQ(mkfifo((folder() / "pipe.mkv").c_str(), 0600), 0);

@@ -56,7 +56,7 @@ std::vector<WallView> views_in(double radius, double walked, double contrast) {
   return views;
 }
 
-TEST(WallFit, FindsHowFarAwayTheWallOfARoundRoomIs) {
+TEST(WallFit, FindsTheRadiusOfARoundRoom) {
   for (const double radius : {2.5, 4.0, 7.0}) {
     const auto fit = fit_wall(views_in(radius, 0.25 * radius, 200.0));
     ASSERT_TRUE(fit) << radius;
@@ -66,11 +66,11 @@ TEST(WallFit, FindsHowFarAwayTheWallOfARoundRoomIs) {
   }
 }
 
-TEST(WallFit, DoesNotGuessWhereTheRobotOnlyTurned) { EXPECT_FALSE(fit_wall(views_in(4.0, 0.0, 200.0))); }
+TEST(WallFit, FindsNothingIfTheRobotOnlyRotated) { EXPECT_FALSE(fit_wall(views_in(4.0, 0.0, 200.0))); }
 
-TEST(WallFit, DoesNotGuessWhereThereIsNothingToSee) { EXPECT_FALSE(fit_wall(views_in(4.0, 1.0, 0.0))); }
+TEST(WallFit, FindsNothingInEmptyImages) { EXPECT_FALSE(fit_wall(views_in(4.0, 1.0, 0.0))); }
 
-TEST(WallFit, DoesNotGuessFromNothing) { EXPECT_FALSE(fit_wall({})); }
+TEST(WallFit, FindsNothingWithoutImages) { EXPECT_FALSE(fit_wall({})); }
 
 TEST(WallFit, IsAsHighAsTheImagesReach) {
   const std::vector<WallView> views = views_in(4.0, 1.0, 200.0);

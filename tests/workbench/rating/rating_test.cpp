@@ -85,7 +85,7 @@ TEST(RoomRating, ReportsHowSoonAMirroredRobotIsCorrectedInAColorfulRoom) {
   for (const DirectionRating& one : rating.directions) EXPECT_GT(one.log_odds, 0.0) << one.azimuth;
 }
 
-TEST(RoomRating, CallsItsTwoFoldTwinSymmetric) {
+TEST(RoomRating, CallsItsSymmetricVersionSymmetric) {
   const RoomRating rating = rate_room(two_fold(some_model(1)), a_robot(), few_robots());
   EXPECT_EQ(rating.verdict, RoomVerdict::symmetric);
   EXPECT_FALSE(rating.times);
@@ -101,7 +101,7 @@ TEST(RoomRating, ReportsThatAQuarterOfAWallIsTooLittle) {
   EXPECT_FALSE(rating.banner);
 }
 
-TEST(RoomRating, ReportsThatAModelWhichBehaviorsWouldLearnFurtherIsTooLittle) {
+TEST(RoomRating, CallsAModelTooSmallThatBehaviorsWouldLearnFurther) {
   SavedModel model = some_model(1);
   model.learned = 2.0;
   const RoomRating rating = rate_room(model, a_robot(), few_robots());
@@ -121,7 +121,7 @@ TEST(RoomRating, IsTheSameForOneSeed) {
   EXPECT_FALSE(first.banner);
 }
 
-TEST(RoomRating, EndsWhereItIsStopped) {
+TEST(RoomRating, EndsWhenItIsStopped) {
   int asked = 0;
   const RoomRating rating = rate_room(some_model(1), a_robot(), few_robots(), [&] { return ++asked > 3; });
   ASSERT_TRUE(rating.times);
@@ -139,7 +139,7 @@ TEST(RoomRating, FollowsTheParametersOfScripts) {
   EXPECT_NEAR(*later.times->mean - *usual.times->mean, 2.0, 0.3);
 }
 
-TEST(RoomRating, WaitsLongerWhereLooksFitWorse) {
+TEST(RoomRating, TakesLongerIfObservationsFitWorse) {
   RatingOptions options = few_robots();
   options.banner_width = 0.0;
   const RoomRating good = rate_room(nearly_white(), a_robot(), options);
@@ -148,7 +148,7 @@ TEST(RoomRating, WaitsLongerWhereLooksFitWorse) {
   EXPECT_LE(good.times->mean_up_to_limit, bad.times->mean_up_to_limit);
 }
 
-TEST(BannerRating, NamesThePlaceThatHelpsMostAndNoneThatDoesNot) {
+TEST(BannerRating, NamesThePlaceThatHelpsMostIfAnyHelps) {
   const RoomRating rating = rate_room(nearly_white(), a_robot(), few_robots());
   ASSERT_TRUE(rating.banner);
   EXPECT_EQ(rating.banner->places.size(), 24u);
@@ -162,7 +162,7 @@ TEST(BannerRating, NamesThePlaceThatHelpsMostAndNoneThatDoesNot) {
   }
 }
 
-TEST(Banner, AddsEvidenceWhereItHangsAndNowhereElse) {
+TEST(Banner, AddsEvidenceOnlyAtItsPosition) {
   const CoreParameters core = core_parameters_of(a_robot());
   const SavedModel room = nearly_white();
   Banner banner;
@@ -181,7 +181,7 @@ TEST(Banner, AddsEvidenceWhereItHangsAndNowhereElse) {
   }
 }
 
-TEST(Banner, KeepsHistogramsWholeAndUnknownTilesUnknown) {
+TEST(Banner, KeepsHistogramsNormalizedAndUnknownTilesUnknown) {
   const SavedModel room = some_model(2, 0, 0.1, 0, 24);
   Banner banner;
   banner.azimuth = from_degrees(179.0);  // half of it on the known side
@@ -202,7 +202,7 @@ TEST(Banner, KeepsHistogramsWholeAndUnknownTilesUnknown) {
   EXPECT_LT(covered, 20);
 }
 
-TEST(Banner, HasAColorThatTheWallHasNot) {
+TEST(Banner, HasAColorThatIsNotOnTheWall) {
   SavedModel model = some_model(1);
   std::vector<TileModel> tiles(model.model.tiles().begin(), model.model.tiles().end());
   for (TileModel& tile : tiles) tile.mean[9] = 0.0f;
@@ -211,7 +211,7 @@ TEST(Banner, HasAColorThatTheWallHasNot) {
   EXPECT_STREQ(color_in_words(13), "light violet");
 }
 
-TEST(SyntheticLooks, DifferFromTheModelAsMuchAsIsAskedFor) {
+TEST(SyntheticLooks, DifferFromTheModelByTheGivenMisfit) {
   const SavedModel model = some_model(1);
   const Wall wall(model.basis.wall);
   for (const double misfit : {0.05, 0.2, 0.35}) {
@@ -220,7 +220,7 @@ TEST(SyntheticLooks, DifferFromTheModelAsMuchAsIsAskedFor) {
   }
 }
 
-TEST(SyntheticLooks, ShowSomethingOfTheRowWhereTheTileIsNotKnown) {
+TEST(SyntheticLooks, UseTheColorsOfTheRowForUnknownTiles) {
   const SavedModel model = some_model(1, 0, 0.1, 0, 12);
   const Wall wall(model.basis.wall);
   const Looks looks = draw_looks(model.model, wall, kTrusted, 0.0, Random(1));
@@ -233,7 +233,7 @@ TEST(SyntheticLooks, ShowSomethingOfTheRowWhereTheTileIsNotKnown) {
   }
 }
 
-TEST(VisibleTiles, LieWhereTheHeadLooks) {
+TEST(VisibleTiles, AreInTheDirectionOfTheHead) {
   const Wall wall;
   VisibleTiles visible(RobotBody(), wall, {}, Pose2(0.0, 0.0, 0.0));
   for (const double yaw : {-1.2, 0.0, 1.2}) {
@@ -246,7 +246,7 @@ TEST(VisibleTiles, LieWhereTheHeadLooks) {
   }
 }
 
-TEST(Directions, AreNamedByEighthsOfATurn) {
+TEST(Directions, AreNamedInStepsOf45Degrees) {
   EXPECT_EQ(direction_in_words(0.0), "toward the opponent goal");
   EXPECT_EQ(direction_in_words(from_degrees(91.0)), "toward the left touch line");
   EXPECT_EQ(direction_in_words(from_degrees(-91.0)), "toward the right touch line");
@@ -254,7 +254,7 @@ TEST(Directions, AreNamedByEighthsOfATurn) {
   EXPECT_EQ(direction_in_words(from_degrees(-135.0)), "toward the right corner of the own half");
 }
 
-TEST(Directions, ThatAreBestOrWorstLieApart) {
+TEST(Directions, ThatAreBestOrWorstAreSeparated) {
   std::vector<DirectionRating> all(48);
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].azimuth = normalize_angle((static_cast<double>(i) + 0.5) * 2.0 * kPi / 48.0);

@@ -13,7 +13,7 @@ TEST(FrameTimes, WithoutFramesAreZero) {
   EXPECT_EQ(FrameTimes().whole().median, 0.0);
 }
 
-TEST(FrameTimes, OfOneFrameAreThatFrames) {
+TEST(FrameTimes, OfOneFrameAreItsTimes) {
   TimeHistogram times;
   times.add(0.5);
   EXPECT_EQ(times.quantiles().longest, 0.5);
@@ -21,7 +21,7 @@ TEST(FrameTimes, OfOneFrameAreThatFrames) {
   EXPECT_NEAR(times.quantiles().percentile_99, 0.5, 0.005);
 }
 
-TEST(FrameTimes, AreRanksOfWhatWasMeasured) {
+TEST(FrameTimes, AreRanksOfTheMeasuredTimes) {
   TimeHistogram times;
   for (int i = 200; i > 0; --i) times.add(1e-3 * i);
   EXPECT_NEAR(times.quantiles().median, 0.100, 0.001);
@@ -29,7 +29,7 @@ TEST(FrameTimes, AreRanksOfWhatWasMeasured) {
   EXPECT_EQ(times.quantiles().longest, 0.200);
 }
 
-RC_GTEST_PROP(FrameTimesProperty, KeepOrderWhateverWasMeasured, (const std::vector<unsigned>& microseconds)) {
+RC_GTEST_PROP(FrameTimesProperty, AreInOrderForAnyTimes, (const std::vector<unsigned>& microseconds)) {
   TimeHistogram times;
   for (const unsigned one : microseconds) times.add(1e-6 * one);
   const TimeQuantiles all = times.quantiles();

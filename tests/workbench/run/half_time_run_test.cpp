@@ -58,7 +58,7 @@ TEST_F(HalfTimeOfAScenario, RotatesAPoseThatWasSetJustBefore) {
   EXPECT_TRUE(same(external.initial_pose->pose, reflect(place)));
 }
 
-TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
+TEST_F(HalfTimeOfAScenario, DoesNotChangeMessagesOfTeammates) {
   OperatorAction action{Kind::tell_message, {}, 0.0, false};
   action.message = {4, "I am at the center"};
   carry_out(action, hands, external, sides_changed, referee);
@@ -68,7 +68,7 @@ TEST_F(HalfTimeOfAScenario, LeavesWordsOfTeamMatesAsTheyAre) {
   EXPECT_EQ(external.messages[0].text, "I am at the center");
 }
 
-TEST_F(HalfTimeOfAScenario, LeavesOtherInputsOfTheRefereeUnchanged) {
+TEST_F(HalfTimeOfAScenario, DoesNotChangeOtherInputsOfTheReferee) {
   referee = {false, GameState::playing, false, KickOff::theirs};
   OperatorAction action{Kind::stop_game, {}, 0.0, false};
   action.referee.stopped = true;

@@ -28,7 +28,7 @@ class History : public ::testing::Test {
   RunHistory history;
 };
 
-TEST_F(History, KeepsEveryPointOfAShortRun) {
+TEST_F(History, StoresEveryPointOfAShortRun) {
   frame.world.confidence.current = 0.5;
   frames(100);
   ASSERT_EQ(history.points().size(), 100u);
@@ -37,7 +37,7 @@ TEST_F(History, KeepsEveryPointOfAShortRun) {
   EXPECT_NEAR(history.points()[7].time, 0.7, 1e-9);
 }
 
-TEST_F(History, ThinsItsCurvesEvenlyAsTheyGrowOld) {
+TEST_F(History, ThinsOldCurvesEvenly) {
   frames(100'000);
   EXPECT_LT(history.points().size(), RunHistory::kMostPoints);
   EXPECT_GE(history.points().size(), RunHistory::kMostPoints / 2);
@@ -47,7 +47,7 @@ TEST_F(History, ThinsItsCurvesEvenlyAsTheyGrowOld) {
     ASSERT_NEAR(history.points()[i].time - history.points()[i - 1].time, step, 1e-9) << i;
 }
 
-TEST_F(History, KnowsWhenSomethingHeld) {
+TEST_F(History, StoresIntervalsOfConditions) {
   frame.world.evaluating = true;
   frames(10);
   frame.world.posture = Posture::lifted;
@@ -60,7 +60,7 @@ TEST_F(History, KnowsWhenSomethingHeld) {
   EXPECT_TRUE(intervals(RunCondition::evaluation_paused).empty());
 }
 
-TEST_F(History, JoinsIntervalsThatNoPictureCouldTellApart) {
+TEST_F(History, JoinsIntervalsThatAPictureCannotSeparate) {
   for (int i = 0; i < 20'000; ++i) {
     frame.world.training = !frame.world.training;
     frames(1);
@@ -72,7 +72,7 @@ TEST_F(History, JoinsIntervalsThatNoPictureCouldTellApart) {
   EXPECT_NEAR(training.back().to, 0.1 * 19'998, 0.11);
 }
 
-TEST_F(History, KeepsTheFirstReorientationsAndTheLatestCommands) {
+TEST_F(History, StoresTheFirstReorientationsAndTheLatestCommands) {
   frame.commands.push_back({{Reorientation::flip_pose, {}, 0.0}, Verdict::granted});
   frame.reorientation = ReorientationRecord{};
   frame.pose_particles.before = {Pose2(1.0, 2.0, 3.0)};

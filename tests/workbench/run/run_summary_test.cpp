@@ -29,7 +29,7 @@ struct Told {
   SummaryObserver observer;
 };
 
-TEST(PoseError, IsAcrossTheSeamOfTheAngles) {
+TEST(PoseError, IsComputedAcrossTheWrapOfAngles) {
   const PoseError error = pose_error(Pose2(3.0, 4.0, kPi - 0.1), Pose2(0.0, 0.0, -kPi + 0.1));
   EXPECT_DOUBLE_EQ(error.position, 5.0);
   EXPECT_NEAR(error.rotation, 0.2, 1e-12);
@@ -51,7 +51,7 @@ RC_GTEST_PROP(ARightBeliefProperty, IsNeverRightTogetherWithItsReflection, ()) {
   RC_ASSERT(is_correct(belief, truth) == is_correct(reflect(belief), reflect(truth)));
 }
 
-TEST(Summary, OfNothingIsNotRight) {
+TEST(Summary, WithoutFramesIsNotRight) {
   const RunSummary summary = SummaryObserver().summary();
   EXPECT_FALSE(summary.correct);
   EXPECT_FALSE(summary.succeeded);
@@ -105,7 +105,7 @@ TEST(Summary, OfABeliefThatStayedWrongHasNoCorrection) {
   EXPECT_NEAR(summary.error->rotation, kPi, 1e-9);
 }
 
-TEST(Summary, CountsAMomentOfRightBeliefToTheTimeThatItWasWrong) {
+TEST(Summary, CountsAShortRightBeliefAsPartOfTheWrongTime) {
   Told run;
   run.believe(kTruth, 0.0, 10.0);
   run.believe(reflect(kTruth), 10.0, 13.0);
@@ -124,7 +124,7 @@ TEST(Summary, ReportsTheLastTimeThatTheBeliefWasWrong) {
   EXPECT_NEAR(*run.summary().belief_wrong_at, 20.0, 1e-9);
 }
 
-TEST(Summary, DoesNotBlameTheBeliefWhileTheRobotIsCarried) {
+TEST(Summary, DoesNotJudgeTheBeliefWhileTheRobotIsCarried) {
   Told run;
   run.believe(kTruth, 0.0, 10.0);
   run.believe(reflect(kTruth), 10.0, 12.0, true);
@@ -132,7 +132,7 @@ TEST(Summary, DoesNotBlameTheBeliefWhileTheRobotIsCarried) {
   EXPECT_FALSE(run.summary().belief_wrong_at);
 }
 
-TEST(Summary, CountsForHowLongTheBeliefWasWrong) {
+TEST(Summary, SumsTheTimeOfAWrongBelief) {
   Told run;
   run.believe(kTruth, 0.0, 10.0);
   run.believe(reflect(kTruth), 10.0, 13.0);
@@ -186,7 +186,7 @@ TEST(Summary, NamesTheScriptsThatWereStopped) {
   EXPECT_EQ(summary.stopped[0].last, "behaviors/a.lua:2: nil");
 }
 
-TEST(Summary, WithoutGroundTruthClaimsNothing) {
+TEST(Summary, WithoutGroundTruthIsNotJudged) {
   SummaryObserver observer;
   observer.observe(FrameRecord(), SceneTruth());
   const RunSummary summary = observer.summary();

@@ -84,7 +84,7 @@ TEST_F(TimelineTest, StoresTheLatestCommandsOfEachMachineAndCountsTheRest) {
   EXPECT_EQ(history.dropped(), 10'000u - CommandHistory::kMostOfAMachine);
 }
 
-TEST_F(TimelineTest, TakesABoundedMemoryHoweverManyMachinesThereWere) {
+TEST_F(TimelineTest, UsesBoundedMemoryForAnyNumberOfMachines) {
   for (int i = 0; i < 1000; ++i) {
     frame.begun = {{Pause::training, {id("edited_" + std::to_string(i)), 0, 0}}};
     frame.names = names.table();
