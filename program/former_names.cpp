@@ -18,7 +18,7 @@
 namespace reorient {
 namespace {
 
-/// Parameters of earlier versions that are not used any more, and the parameter that replaces each.
+/// Parameters of earlier versions that are no longer used, and the parameter that replaces each.
 constexpr std::pair<std::string_view, std::string_view> kFormerParameters[] = {
     {"background_training.asymmetry", "background_training.separability"},
     {"room_status.asymmetry", "room_status.separability"}};
@@ -87,7 +87,7 @@ bool warn_of_former_name(const ParameterChange& change) {
   const auto* const former = std::find_if(std::begin(kFormerParameters), std::end(kFormerParameters),
                                           [&](const auto& names) { return names.first == change.name; });
   if (former == std::end(kFormerParameters)) return false;
-  spdlog::warn("{}parameter '{}' is not used any more: '{}', a probability, took its place",
+  spdlog::warn("{}parameter '{}' is no longer used: '{}', a probability, replaces it",
                change.source.empty() ? "" : change.source + ": ", former->first, former->second);
   return true;
 }

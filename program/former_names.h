@@ -12,11 +12,11 @@
 
 namespace reorient {
 
-/// The present name of a scenario or an experiment of earlier versions: with one warning where it is another.
+/// The present name of a scenario or an experiment; warns once if the given name is a former one.
 std::string present_name(const std::string& name);
 
 /// With the present names of parameters of scenarios and of the choice of trial.event; parameters of a scenario that
-/// `scripts` still has under its former name stay.
+/// `scripts` still has under its former name are unchanged.
 std::vector<ParameterChange> with_present_names(std::vector<ParameterChange> changes, const ScriptTexts& scripts);
 
 /// With the present names of those parameters that only have a new name, each with one warning.

@@ -46,7 +46,7 @@ std::string sentence(std::string text) {
   return text.back() == '?' ? text : text + ".";
 }
 
-/// The type name without the descriptions of the checks, which stand behind it: "N:{320,640}".
+/// The type name without the descriptions of the checks that follow it: "N:{320,640}".
 std::string placeholder_of(const CLI::Option& option) {
   if (option.get_type_size() == 0) return {};
   const std::string type = option.get_type_name();
@@ -61,7 +61,7 @@ std::string with_dots(const std::string& placeholder, const CLI::Option& option)
   return takes_several(option) && !placeholder.ends_with("...") ? placeholder + "..." : placeholder;
 }
 
-/// What the checks of the option allow: ": a, b" or ", 1 to 254"; empty if the text names all choices already.
+/// The values that the checks of the option allow: ": a, b" or ", 1 to 254"; empty if the text names all choices.
 std::string allowed_by(const CLI::Option& option, const std::string& text) {
   const std::string type = option.get_type_name();
   if (const std::size_t open = type.find(":{"); open != std::string::npos) {

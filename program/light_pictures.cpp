@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// light_pictures OUT.png [ROOM...]: what the upper camera sees of a room (a panorama; else the hall) under each of the
-// lights that assets/parameters/light has, and under the same light. A row for each light; four directions, and one
-// image while the head turns. With several rooms, a row for each: two directions, the same light and both others.
+// light_pictures OUT.png [ROOM...]: images of the upper camera in a room (a panorama; else the hall), under each light
+// in assets/parameters/light and under the same light. A row for each light; four directions, and one image while the
+// head turns. With several rooms, a row for each: two directions, the same light and both others.
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -37,7 +37,7 @@ RobotInstance robot_in(const std::string& room, const std::string& light, std::u
   return make_robot("simulator", options);
 }
 
-/// The robot stands with its front to one of four sides, the last time with its head on the move.
+/// The robot faces one of four sides; in the last image its head moves.
 Observation look_at_side(RobotInstance& robot, int look) {
   constexpr int kSettle = 75;  // frames, until the exposure has adapted
   Observation observation;
@@ -97,7 +97,7 @@ void draw_sheet(const std::string& file, const std::string& room) {
     const char* light;
     std::uint64_t seed;
   };
-  // Of the hard lights, one with all lamps and one with half of them.
+  // The hard lights include one with all lamps and one with half of them.
   constexpr Row kRows[] = {{"same", 1}, {"mild", 1}, {"mild", 2}, {"hard", 1}, {"hard", 2}, {"hard", 3}};
   constexpr int kCount = static_cast<int>(std::size(kRows));
   pictures::Canvas canvas(kLooks * kWidth, static_cast<int>(kCount * (kHeight + kLabel)));
@@ -118,7 +118,7 @@ void draw_sheet(const std::string& file, const std::string& room) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::cerr << "light_pictures OUT.png [ROOM...]: name a file to write, and perhaps panoramas\n";
+    std::cerr << "light_pictures: expected OUT.png [ROOM...] (the file to write, panoramas), found no arguments\n";
     return 2;
   }
   try {

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   // errors; the other outputs of a run must not be lost.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // libedit converts letters by the locale. Before there are threads; numbers stay as they are.
+  // libedit converts characters by the locale. Set it before any thread starts; the format of numbers is unchanged.
   std::setlocale(LC_CTYPE, "C.UTF-8");
   return reorient::run_program(argc, argv, std::cout, std::cerr);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The monotonic clock of Linux, which is never set: used by LoLA's packets, V4L2's images, and for waiting.
+// The monotonic clock of Linux, which is never adjusted: used by LoLA's packets, V4L2's images, and for waiting.
 #pragma once
 
 #include <chrono>

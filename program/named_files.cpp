@@ -12,7 +12,7 @@
 namespace reorient {
 namespace {
 
-/// Behind links and another way to write it; a file that is not there yet, too. Devices take what anybody writes.
+/// Compares the files behind links and different spellings, also of missing files. Several outputs may share a device.
 bool is_same(const std::filesystem::path& one, const std::filesystem::path& other) {
   std::error_code error;
   if (std::filesystem::is_other(one, error)) return false;
@@ -24,7 +24,7 @@ bool is_same(const std::filesystem::path& one, const std::filesystem::path& othe
 }  // namespace
 
 void NamedFiles::reads(const std::filesystem::path& file, const std::string& name) {
-  std::error_code error;  // of an asset's name, which is no path, there is no file
+  std::error_code error;  // an asset's name is not a path, so no such file exists
   if (std::filesystem::exists(file, error)) named_.emplace_back(file, name);
 }
 
@@ -40,7 +40,7 @@ void NamedFiles::writes(const std::filesystem::path& file, const std::string& op
   }
   for (const std::filesystem::path& root : roots_) {
     const std::optional<std::string> below = path_below(root, file);
-    if (file.extension() == ".lua" && below && !below->starts_with("annotations/"))  // which are no scripts
+    if (file.extension() == ".lua" && below && !below->starts_with("annotations/"))  // annotations are not scripts
       throw std::runtime_error(fmt::format(
           "{0} {1}: expected a file outside the folder of scripts, found one in it; name another file with {0}", option,
           file.string()));

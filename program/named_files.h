@@ -17,11 +17,11 @@ class NamedFiles {
   void reads_scripts(const std::filesystem::path& root);
   /// Throws std::runtime_error with one line if the file was named before. An empty path names no file.
   void writes(const std::filesystem::path& file, const std::string& option);
-  /// The same, also if the file cannot be written.
+  /// The same; also throws if the file cannot be written.
   void require_writable(const std::filesystem::path& file, const std::string& option);
 
  private:
-  std::vector<std::pair<std::filesystem::path, std::string>> named_;  // and what names it
+  std::vector<std::pair<std::filesystem::path, std::string>> named_;  // and the option that names it
   std::vector<std::filesystem::path> roots_;                          // of scripts
 };
 

@@ -16,7 +16,7 @@ class App;
 
 namespace reorient {
 
-// Groups of a help page that have options from several places.
+// Groups of a help page whose options are added by several functions.
 inline constexpr const char* kPlainGroup = "Options";  ///< of CLI11, if none is set
 inline constexpr const char* kRobotGroup = "Robot and room";
 inline constexpr const char* kParameterGroup = "Scripts and parameters";
@@ -35,12 +35,12 @@ std::vector<ParameterChange> overrides_of(const ParameterOptions& options);
 /// For a program without scripts: ignores parameters of scripts in files. Throws std::runtime_error with one line if an
 /// assignment names no parameter of the engine.
 void set_overrides(const ParameterOptions& options, ParameterRegistry& registry);
-/// The paths of the files, also of those that are named as assets. Throws the same.
+/// The paths of the files, including assets given by name. Throws the same.
 std::vector<std::filesystem::path> parameter_files_of(const ParameterOptions& options);
 /// Adds --body and --field.
 void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesystem::path& field);
 void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts, const char* group = kParameterGroup);
-/// Whether the folder must contain scripts, or may be empty yet.
+/// Whether the folder must contain scripts, or may still be empty.
 enum class Scripts { are_there, may_come };
 /// `given`, or scripts/ of the project if empty. Throws std::runtime_error with one line if it is not a root of
 /// scripts: a mistyped path must not count as an empty root.

@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t kMostWarnings = 10;
 constexpr std::size_t kLongestName = 200;  // characters of a name in a message
 
-void warn_of_strangers(const std::map<std::string, std::string>& sources, const ParameterModules& modules) {
+void warn_of_unknown_modules(const std::map<std::string, std::string>& sources, const ParameterModules& modules) {
   const std::vector<std::string> known(modules.anywhere.begin(), modules.anywhere.end());
-  std::size_t told = 0;
+  std::size_t printed = 0;
   for (const auto& [module, source] : sources) {
-    if (told++ == kMostWarnings) break;
+    if (printed++ == kMostWarnings) break;
     spdlog::warn("{}: unknown module '{}'{}; its values are saved but not used", source, module,
                  did_you_mean(module, known));
   }
@@ -56,8 +56,8 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
     names.insert(parameter.name);
     loaded.insert(module_of(parameter.name));
   }
-  std::map<std::string, ParameterChange> kept;   // the last one of a name holds
-  std::map<std::string, std::string> strangers;  // module and where it is named first
+  std::map<std::string, ParameterChange> kept;         // the last value of a name counts
+  std::map<std::string, std::string> unknown_modules;  // module, and the place that first names it
   for (const ParameterChange& change : overrides) {
     if (names.contains(change.name) || warn_of_former_name(change)) continue;
     const std::string module = module_of(change.name);
@@ -71,10 +71,10 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
       throw std::runtime_error(source + ": unknown parameter '" + change.name.substr(0, kLongestName) + "'" + hint +
                                where);
     }
-    if (!modules.anywhere.contains(module)) strangers.try_emplace(module, change.source);
+    if (!modules.anywhere.contains(module)) unknown_modules.try_emplace(module, change.source);
     kept.insert_or_assign(change.name, change);
   }
-  warn_of_strangers(strangers, modules);
+  warn_of_unknown_modules(unknown_modules, modules);
   std::vector<ParameterChange> all;
   all.reserve(kept.size());
   for (auto& [name, change] : kept) all.push_back(std::move(change));

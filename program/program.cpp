@@ -85,7 +85,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   app.name("reorient");
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag("-h,--help", "print this help and exit");
-  app.require_subcommand(0, 1);  // a missing one is reported below, so that an unknown one is reported by its name
+  app.require_subcommand(0, 1);  // report a missing one below, so that an unknown one is reported by its name
   std::string log_level = "info";
   app.add_option("--log", log_level, "log level")
       ->type_name("LEVEL")
@@ -145,7 +145,7 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
   try {
     const int code = parse_and_run(argc, argv, out, err);
     if (out.flush()) return code;
-    err << "reorient: cannot write to the standard output: its reader has ended, or the disk is full\n";
+    err << "reorient: cannot write to the standard output: the reading program has ended, or the disk is full\n";
     return kBadInput;
   } catch (const std::exception& error) {
     err << "reorient: " << as_line(error.what()) << '\n';

@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-/// Everything that can be tuned in the simulator.
+/// All parameters of the simulator.
 struct SimulatorTuning {
   explicit SimulatorTuning(const RobotOptions& options)
       : simulator(simulator_parameters_of(options.body)), room_shape(room_shape_for(options.field)) {

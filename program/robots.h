@@ -19,7 +19,7 @@ class Simulator;
 /// The last room, cached: many trials use the same room, and decoding a panorama takes as long as a trial.
 class RoomCache {
  public:
-  /// As load_room() or, where `file` is empty, procedural_hall().
+  /// load_room(file), or procedural_hall() if `file` is empty.
   const Room& room(const std::string& file, std::uint64_t hall_seed, const RoomShape& shape);
 
  private:
@@ -43,17 +43,17 @@ struct RobotOptions {
 /// "simulator", "footage", "companion", "nao".
 std::vector<std::string> robot_names();
 inline constexpr const char* kSimulator = "simulator";
-/// Driven by recorded images, and made from a source (program/footage/).
+/// Driven by recorded images; created from a source (program/footage/).
 inline constexpr const char* kFootage = "footage";
 /// Driven by another program: it is not created, but connects as a client (program/run/companion/).
 inline constexpr const char* kCompanion = "companion";
-/// A real robot, which no scenario can move either (program/run/nao/).
+/// A real robot, which scenarios cannot move (program/run/nao/).
 inline constexpr const char* kNao = "nao";
 
 /// Throws std::runtime_error with one line: an unknown name, a file that cannot be read, a value out of range.
 RobotInstance make_robot(const std::string& name, const RobotOptions& options);
 
-/// The simulator itself, which knows what each pixel of its images shows. Throws the same.
+/// The simulator itself, which can label each pixel of its images. Throws the same.
 std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options);
 
 /// The robot's own parameters with their values; they are fixed during a run.

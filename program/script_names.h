@@ -10,7 +10,7 @@
 namespace reorient {
 
 /// The file below the scripts' root of a scenario ("kidnapped", "scenarios/kidnapped.lua", or a path that leads there).
-/// Throws std::runtime_error with one line that names the nearest right thing.
+/// Throws std::runtime_error with one line that suggests the most similar name.
 std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name);
 /// The same for a behavior.
 std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name);

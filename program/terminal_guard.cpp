@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-// Signal handlers see nothing but these.
+// The only variables that signal handlers use.
 volatile std::sig_atomic_t guarded = -1;  // descriptor
 volatile std::sig_atomic_t stopped = 0;
 termios found;
@@ -27,7 +27,7 @@ void stop(int signal) {
   const int error = errno;
   TerminalGuard::give_back();
   std::signal(signal, SIG_DFL);
-  std::raise(signal);  // here the program rests
+  std::raise(signal);  // the program is stopped here
   handle_stop();
   stopped = 1;
   errno = error;
@@ -36,7 +36,7 @@ void stop(int signal) {
 void handle_stop() {
   struct sigaction action {};
   action.sa_handler = stop;
-  action.sa_flags = SA_RESTART | SA_NODEFER;  // so that it rests within the handler
+  action.sa_flags = SA_RESTART | SA_NODEFER;  // so that it can be stopped within the handler
   sigemptyset(&action.sa_mask);
   sigaction(SIGTSTP, &action, nullptr);
 }

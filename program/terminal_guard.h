@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Restores the modes of the terminal, whatever ends or stops the program.
+// Restores the modes of the terminal when the program ends or is stopped.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ class TerminalGuard {
   TerminalGuard(const TerminalGuard&) = delete;
   TerminalGuard& operator=(const TerminalGuard&) = delete;
 
-  /// Takes the present modes as those of the program.
+  /// Stores the present modes as those of the program.
   static void remember_own_modes();
   /// Sets the program's modes again, if it was stopped since the last call and is in the foreground again.
   static bool came_back();

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was found, and the angles before and after on the images that were not used for it.
+/// The result, and the angles before and after on the images that were not used for the fit.
 struct FoundOffset {
   OffsetEstimate estimate;
   std::vector<WeightedResidual> before, after;
@@ -40,7 +40,7 @@ struct FoundOffset {
   RecordedAttitude recorded{};
 };
 
-/// The line finder needs the horizon about right: it is tried from several tilts, then again from what was found.
+/// The line finder needs an approximate horizon: start from several tilts, then again from the best result.
 FoundOffset find_by_lines(const std::vector<FootageFrame>& frames, const FieldDimensions& field) {
   constexpr int kMostRounds = 4;
   constexpr double kSettled = from_degrees(0.1);  // also of a height, as a fraction of the distance
@@ -173,7 +173,7 @@ pictures::CameraView line_picture(const FootageFrame& frame, const LineView& vie
            scene::line_points(view.line_points, view.camera, view.found_from_camera)}};
 }
 
-/// Of the images that were not used for the fit: the one with most line points.
+/// The image with most line points, of those that were not used for the fit.
 std::size_t pictured(const std::vector<LineView>& views) {
   std::size_t best = 0;
   for (std::size_t i = 2; i < views.size(); i += 2) {
@@ -182,7 +182,7 @@ std::size_t pictured(const std::vector<LineView>& views) {
   return best;
 }
 
-/// Of the images that were not used for the fit and show many edges: the one whose angles are most like those of all.
+/// The most typical image by its angles, of those that show many edges and were not used for the fit.
 std::size_t pictured(const std::vector<EdgeView>& views, const std::vector<EdgeView>& corrected_views,
                      const FoundOffset& found_offset) {
   std::vector<std::size_t> counts;

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kSpeed = 1.0;     // rad/s
 constexpr double kThere = 0.03;    // rad
-constexpr double kStill = 0.4;     // s, at a place, before its images count
-constexpr double kPatience = 6.0;  // s, for each place
-constexpr int kImages = 4;         // at each place
+constexpr double kStill = 0.4;     // s at a direction before its images count
+constexpr double kPatience = 6.0;  // s for each direction
+constexpr int kImages = 4;         // at each direction
 
-/// Both sides, and at each the line of sight from the distance to the feet.
+/// Both sides, and at each pitches from far away down to the feet.
 std::vector<HeadAngles> places(const NeckReach& neck) {
   std::vector<HeadAngles> all;
   for (const double yaw : {-1.0, -0.5, 0.0, 0.5, 1.0}) {

@@ -14,7 +14,7 @@
 
 namespace reorient {
 
-/// Of one camera.
+/// The images of one camera.
 struct CalibrationShots {
   std::vector<CalibrationView> views;
   Image picture;  ///< the image with most lines, and the index of its view

@@ -47,7 +47,7 @@ struct CalibrateOptions {
   ParameterOptions parameters;
   std::filesystem::path out = "calibration.toml";
   std::filesystem::path pictures = "out";
-  // Of footage: the source, how it is read, and by what.
+  // For footage: the source, how it is read, and the features to use.
   std::filesystem::path source;
   FootageArguments footage;
   std::string by = "auto";
@@ -107,8 +107,9 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
     const std::optional<CameraCorrection> found = calibrate(shots[i].views, *place, field);
     if (!found) {
       out << kCameras[i]
-          << ": too few lines were seen at their places, or lines of one direction only; is the robot where --at "
-          << "says, and does it see lines along and across the field?\n";
+          << ": expected lines along and across the field at their positions, found too few; check --at and the view "
+             "of the "
+          << "camera\n";
       continue;
     }
     any = true;
@@ -215,7 +216,7 @@ Subcommand add_calibrate(CLI::App& program) {
       ->group(kOutputGroup)
       ->check(check_not_empty)
       ->capture_default_str();
-  parser->add_option("--pictures", options->pictures, "folder for pictures of before and after")
+  parser->add_option("--pictures", options->pictures, "folder for pictures before and after the calibration")
       ->type_name("FOLDER")
       ->group(kOutputGroup)
       ->check(check_not_empty)

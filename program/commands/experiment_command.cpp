@@ -125,14 +125,14 @@ std::string seconds_text(const std::optional<double>& time) { return time ? fmt:
 std::string verdict_of(const TrialResult& result, const Measurement& measurement) {
   if (!result.started) return "the trial never reached the state '" + as_line(measurement.from) + "'";
   if (result.correct_at_start)
-    return result.right_after ? "the belief was right at first, and stayed so"
-                              : "the belief was right at first, and was lost";
+    return result.right_after ? "the belief was right at first, and stayed right"
+                              : "the belief was right at first, and became wrong";
   return fmt::format(
-      "the belief was wrong at first; right, and staying so, after: {}; corrected by a command after: {}",
+      "the belief was wrong at first; right and stayed right after: {}; corrected by a command after: {}",
       seconds_text(result.right_after), seconds_text(result.corrected_after));
 }
 
-/// One trial alone, as `reorient run` shows a run; its result is not kept.
+/// Runs one trial and shows it as `reorient run` does; its result is not stored.
 int show_trial(const ExperimentOptions& options, const Session& session, std::ostream& out, std::ostream& err) {
   const int count = static_cast<int>(session.tasks().size());
   if (options.trial > count)

@@ -38,7 +38,7 @@ namespace {
 
 constexpr const char* kSame = "same";
 constexpr int kMostPlaces = 100000;
-constexpr double kNear = 3.0;  // m, of the table's first rows
+constexpr double kNear = 3.0;  // m, limit of the first rows of the table
 
 struct FieldFeaturesOptions {
   std::vector<std::string> rooms{std::string(kHall)}, lights{kSame, "hard"};
@@ -60,7 +60,7 @@ struct Condition {
   std::string name() const { return gaze > 0.0 ? fmt::format("{}, {:g} rad/s", light, gaze) : light + ", still"; }
 };
 
-/// Parameters of the simulator go to it, all others to the vision, which refuses what it does not know.
+/// The simulator gets its own parameters; the vision gets all others and refuses unknown ones.
 struct Tuning {
   RobotOptions robot;
   CoreParameters core;
@@ -187,7 +187,7 @@ int run(const FieldFeaturesOptions& options, std::ostream& out, std::ostream& er
   RoomCache rooms;
   {
     Countdown countdown(err, options.rooms.size() * conditions.size());
-    std::uint64_t seed = options.seed;  // each room and condition has places of its own
+    std::uint64_t seed = options.seed;  // each room and condition has different places
     for (const std::string& room : options.rooms) {
       for (Condition& condition : conditions) {
         if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());

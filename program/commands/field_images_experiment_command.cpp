@@ -73,7 +73,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::filesystem::p
     for (const auto& entry : std::filesystem::directory_iterator(source, error)) {
       if (entry.is_regular_file(error)) within.push_back(entry.path());
     }
-    if (error) throw std::runtime_error(as_line(source.string() + ": the folder cannot be read: " + error.message()));
+    if (error) throw std::runtime_error(as_line(source.string() + ": expected a readable folder: " + error.message()));
     std::sort(within.begin(), within.end());
     files.insert(files.end(), within.begin(), within.end());
   }
@@ -97,7 +97,7 @@ std::vector<LabeledImage> read_images(const std::vector<std::filesystem::path>& 
   std::vector<LabeledImage> images;
   for (const std::filesystem::path& file : files) {
     const std::optional<std::string> bytes = read_whole_file(file);
-    if (!bytes) throw std::runtime_error(as_line(file.string() + ": expected an image, found no readable file"));
+    if (!bytes) throw std::runtime_error(as_line(file.string() + ": expected a readable image file, found none"));
     const std::string digest = digest_of(*bytes);
     const FieldLabels* const found = labels_of(labels, digest);
     if (found == nullptr) {
@@ -128,7 +128,8 @@ struct Eyes {
                       labeled.labels->pitch, labeled.labels->roll);
     const auto view = GroundProjection::look(camera, robot_from_camera);
     if (!view)
-      throw std::runtime_error(as_line(labeled.labels->name + ": the camera of the labels does not see the ground"));
+      throw std::runtime_error(
+          as_line(labeled.labels->name + ": expected a camera that sees the ground, found labels of another"));
     const FieldPercept percept = percept_of_still_image(image.view(), camera, robot_from_camera, parameters, field);
     const pictures::CameraView drawn{.image = image.view(),
                                      .overlay = scene::percept_overlay(percept, camera, robot_from_camera)};
@@ -137,7 +138,7 @@ struct Eyes {
   }
 };
 
-/// Of all lines of which there are pieces.
+/// The recall of each line that has pieces.
 struct Recalls {
   double mean = 1.0, worst = 1.0;
   int lines = 0;
@@ -286,7 +287,7 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
   print_table(of_images, 1, out);
   out << fmt::format(
       "\nA line is found where line points are in {:.0f} % of its pieces. in masks: line points on balls, feet, "
-      "boards, marks and posts; elsewhere: on the plain carpet. border: share of the columns in which the carpet's "
+      "boards, marks and posts; elsewhere: on the plain carpet. border: fraction of the columns in which the carpet's "
       "boundary is at the boards.\n",
       100.0 * kGoodRecall);
   for (const std::filesystem::path& sheet : sheets) out << "picture: " << sheet.string() << '\n';

@@ -70,7 +70,7 @@ std::string name_of(const std::filesystem::path& source) {
   return name.empty() ? source.string() : name;
 }
 
-/// As the tables of other experiments have it.
+/// The description for tables and reports, in the form of other experiments.
 Experiment experiment_of(const FootageExperimentOptions& options, const std::vector<std::string>& names) {
   Experiment experiment;
   experiment.name = "footage";
@@ -95,7 +95,7 @@ Experiment experiment_of(const FootageExperimentOptions& options, const std::vec
   return experiment;
 }
 
-/// What a run and many trials have in common.
+/// The options that a run and the trials share.
 std::string shared_options(const FootageExperimentOptions& options) {
   std::string line = words_of(options.setup.footage);
   const auto add = [&line](const char* option, const std::string& value) {
@@ -121,7 +121,7 @@ std::string command_of(const FootageExperimentOptions& options) {
                      options.trials.watch, options.off_degrees);
 }
 
-/// What shows one trial.
+/// The command that shows one trial.
 std::string trial_command(const FootageExperimentOptions& options, const std::string& source,
                           const FootageTrials::Start& start, const FootageCase& one) {
   std::string belief = one.pose;
@@ -132,7 +132,7 @@ std::string trial_command(const FootageExperimentOptions& options, const std::st
                      one.change.kind == BeliefChange::Kind::lifted ? " --lifted" : "");
 }
 
-/// Another one where anything is another: what is there is of the same footage, options and scripts.
+/// Differs if the footage, options or scripts differ, so that results are never mixed.
 std::filesystem::path usual_folder(const std::vector<std::unique_ptr<FootageTrials>>& footages) {
   Digest digest;
   for (const auto& footage : footages) digest.add(footage->origin());
@@ -183,7 +183,7 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   for (int task = 1; task <= static_cast<int>(results.footages.size() * of_footage); ++task) {
     if (!tasks.read(task, origin_of(task))) missing.push_back(task);
   }
-  out.flush();  // what is still to be written must not be written by each process
+  out.flush();  // otherwise each process would write the buffered output
   Countdown countdown(err, missing.size());
   std::string mistake;
   run_in_processes(

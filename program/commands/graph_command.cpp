@@ -40,7 +40,7 @@ struct NamedScript {
   bool operator==(const NamedScript&) const = default;
 };
 
-/// The scripts that are asked for, as they are found below the root, and their machines.
+/// The requested scripts, as found below the root, and their machines.
 class DrawnScripts {
  public:
   explicit DrawnScripts(const std::filesystem::path& root) : root_(root), texts_(read_scripts(root)) {
@@ -55,7 +55,7 @@ class DrawnScripts {
   /// "orientation", "behaviors/orientation.lua", or a path to that file. Each once.
   void add(const std::string& name) { add(find(name)); }
 
-  /// Throws std::runtime_error where there is no scenario among them.
+  /// Throws std::runtime_error if none of them is a scenario.
   void add_behaviors_of_scenarios() {
     std::vector<std::string> behaviors;
     bool has_scenario = false;

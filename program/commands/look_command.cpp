@@ -48,7 +48,7 @@ struct LookOptions {
   std::filesystem::path out = "out", json;
 };
 
-/// The wall suits the footage where --wall says so.
+/// Fits the wall to the footage if --wall requests it.
 CoreParameters look_parameters(const LookOptions& options, const RobotBody& body, const FieldDimensions& field) {
   CoreParameters parameters = core_parameters_for(field, body);
   ParameterRegistry registry;
@@ -88,7 +88,7 @@ std::string percepts_in_words(const SeenImage& seen) {
          (seen.shows_carpet ? "" : ", no carpet");
 }
 
-/// What all images have in common.
+/// Counts over all images.
 struct LookTotals {
   std::size_t images = 0, searched = 0, unknown = 0, without_carpet = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient params`: every tunable number with its value and who set it.
+// `reorient params`: every parameter with its value and origin.
 #include <memory>
 #include <ostream>
 #include <set>
@@ -49,7 +49,7 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
   }
 }
 
-/// What a user may type: a whole name, or a module as "orientation.".
+/// Words for suggestions: whole names, and modules such as "orientation.".
 std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
   std::set<std::string> names;
   for (const Parameter& parameter : parameters) {

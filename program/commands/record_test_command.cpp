@@ -47,7 +47,7 @@ std::string in_lua(std::string_view text) {
   return quoted + '"';
 }
 
-/// The commands of the robot, and the last states of its behaviors.
+/// Expectations: the commands of the robot, and the last states of its behaviors.
 std::string expectations(const std::filesystem::path& file) {
   Recording recording(file);
   RecordedFrame frame;
@@ -90,14 +90,15 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
   const auto write_test = [&] {
     write_whole_file(
         test,
-        fmt::format(R"(--- Recorded: {}, {:.2f} to {:.2f} s. What the robot did then; say here what it should do.
+        fmt::format(
+            R"(--- Recorded: {}, {:.2f} to {:.2f} s. The expectations are what the robot did; change them to what it should do.
 
 test("{} continues as recorded", function()
   replay "recordings/{}.mcap"
-{}  -- expect.as_recorded()  -- every command and motion, while nothing shall change at all
+{}  -- expect.as_recorded()  -- all commands and motions stay as recorded
 end)
 )",
-                    options.file.filename().string(), done.first_time, done.last_time, name, name, expectations(part)));
+            options.file.filename().string(), done.first_time, done.last_time, name, name, expectations(part)));
   };
   try {
     write_test();

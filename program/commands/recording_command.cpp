@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient recording`: what is in a recording, as a table, in pictures; a part of it; one that is damaged, made whole.
+// `reorient recording`: inspects, exports, draws, cuts and recovers recordings.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -82,7 +82,7 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   return recording.damages().empty() ? kSuccess : kWrong;
 }
 
-/// Of a file that is made of it.
+/// Checks the output file of a command that makes another recording.
 void require_other_file(const RecordingOptions& options) {
   NamedFiles files;
   files.reads(options.file, "the recording");
@@ -90,7 +90,7 @@ void require_other_file(const RecordingOptions& options) {
   require_writable_file(options.out, "--out");
 }
 
-/// `rewrite`: makes the new file of the old one.
+/// `rewrite`: writes the new file from the old one.
 template <typename Rewrite>
 int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& err, Rewrite rewrite) {
   require_other_file(options);
@@ -116,14 +116,15 @@ int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream&
     std::ofstream text(beside.path());
     write_csv(recording, options.csv, text);
     text.close();
-    if (!text) throw std::runtime_error("cannot write '" + options.out.string() + "': is the disk full?");
+    if (!text)
+      throw std::runtime_error("cannot write '" + options.out.string() + "'; check the free space of the disk");
     beside.end();
   }
   tell_damages(recording, err);
   return kSuccess;
 }
 
-/// All frames up to that moment are made again, since the record does not hold all that is drawn.
+/// Replays all frames up to that time, because the record does not contain everything that is drawn.
 int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
   Recording recording(options.file);

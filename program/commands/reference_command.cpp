@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient reference`: what scripts can see and say, with the libraries below the scripts' root.
+// `reorient reference`: functions and fields of scripts, and the libraries below the scripts' root.
 #include <memory>
 #include <ostream>
 

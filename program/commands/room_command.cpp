@@ -55,7 +55,7 @@ RatedRobot rated_robot(const SimulationOptions& options) {
   return robot;
 }
 
-/// Throws if an override is invalid: parameters of the engine, of scripts and of the simulator may be set.
+/// Throws if an override is invalid. Parameters of the engine, scripts and simulator are valid.
 void check_rating_parameters(const SimulationOptions& options, const RatedRobot& robot) {
   FrameSetup setup;
   setup.field = robot.field;

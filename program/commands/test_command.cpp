@@ -33,7 +33,7 @@ struct TestOptions {
   std::filesystem::path junit;
 };
 
-/// Which states and transitions a run took.
+/// Records the states and transitions of a run.
 class CoverageObserver : public Observer {
  public:
   CoverageObserver(Simulation& simulation, CoverageTrace& trace) : simulation_(simulation), trace_(trace) {}

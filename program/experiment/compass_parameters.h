@@ -9,11 +9,11 @@
 
 namespace reorient {
 
-/// Removes and returns the parameters of the peers, which no other run knows.
+/// Removes and returns the parameters of the peers, which exist only in comparisons.
 std::vector<ParameterChange> without_peers(std::vector<ParameterChange> changes);
 
-/// The shipped parameters with these changes; the paper's recipe is that of assets/parameters/paper.toml, and nothing
-/// else. Throws std::runtime_error with one line where a peer has no such parameter, or a value does not fit.
+/// The shipped parameters with these changes; the paper's recipe is exactly assets/parameters/paper.toml. Throws
+/// std::runtime_error with one line if a peer does not have the parameter, or a value is invalid.
 CompassParameters compass_parameters(const std::vector<ParameterChange>& changes);
 
 }  // namespace reorient

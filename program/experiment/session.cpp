@@ -45,7 +45,7 @@ std::filesystem::path named_file(const std::string& kind, const std::string& nam
 
 ConditionPatch named_condition(const std::string& named) { return read_condition(named_file("condition", named)); }
 
-/// A choice that an axis does not have may be a condition file, shipped or the user's.
+/// A choice that the axis does not have may be a condition file, shipped or the user's.
 AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
   if (const std::optional<std::filesystem::path> file = found_file("conditions", named))
     return {file->stem().string(), read_condition(*file)};
@@ -55,7 +55,7 @@ AxisChoice choice_from_file(const Axis& axis, const std::string& named) {
                            did_you_mean(named, known) + "; expected a choice or a condition file");
 }
 
-void choose_as_told(const SessionOptions& options, Experiment& experiment) {
+void choose_requested(const SessionOptions& options, Experiment& experiment) {
   std::map<std::string, std::vector<std::string>> chosen;
   if (!options.modes.empty()) chosen["mode"] = options.modes;
   if (!options.motions.empty()) chosen["motion"] = options.motions;
@@ -75,7 +75,7 @@ Experiment wanted_experiment(const SessionOptions& options) {
   if (!file) file = named_file("experiment", present_name(options.experiment));
   Experiment experiment = read_experiment(*file, named_condition);
   if (options.trials) experiment.trials = *options.trials;
-  choose_as_told(options, experiment);
+  choose_requested(options, experiment);
   if (options.rooms.empty()) return experiment;
   Axis axis;
   axis.name = "room";
@@ -98,7 +98,7 @@ Experiment wanted_experiment(const SessionOptions& options) {
 /// Digests of files; each file is read once.
 class FileHashes {
  public:
-  /// Throws std::runtime_error with one line where it cannot be read.
+  /// Throws std::runtime_error with one line if the file cannot be read.
   std::uint64_t of(const std::filesystem::path& file) {
     const auto known = hashes_.find(file);
     if (known != hashes_.end()) return known->second;
@@ -141,13 +141,13 @@ Condition Session::condition_of(const Task& task) const {
   return reorient::condition_of(experiment_, cells_[task.cell], task);
 }
 
-/// The condition of a task: the alternates of its cell take turns.
+/// The condition of a task, with one of its cell's alternates in turn.
 std::size_t Session::turn_of(const Task& task) const {
   return static_cast<std::size_t>(task.trial) % std::max<std::size_t>(1, experiment_.alternates.size());
 }
 
-/// Checks all conditions now, since an error hours later would cost time. Stores the origin of each: a digest of
-/// everything that the results follow from, except for the seed.
+/// Checks all conditions at the start, because an error hours later would cost time. Stores the origin of each: a
+/// digest of everything that determines the results, except for the seed.
 void Session::prepare_conditions() {
   scripts_hash_ = content_hash(read_scripts(scripts_));
   FileHashes files;

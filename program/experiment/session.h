@@ -28,7 +28,7 @@ struct SessionOptions {
   std::vector<std::string> motions;
   std::vector<std::string> lights;
   std::vector<std::string> only;  ///< "AXIS=CHOICE", of any axis
-  ParameterOptions parameters;    ///< for every cell, behind its own
+  ParameterOptions parameters;    ///< for every cell, applied after its own
   std::filesystem::path out;      ///< empty: out/experiments/NAME
 };
 

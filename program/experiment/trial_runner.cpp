@@ -69,7 +69,7 @@ std::optional<SavedModel> model_of_another_day(const Condition& condition, std::
   return room.model();
 }
 
-/// Otherwise no trial would be measured, and all would count as failed.
+/// Requires that the scenario has the state: otherwise all trials would count as failed.
 void require_state(const Condition& condition, const ScenarioHost& scenario) {
   const std::string& wanted = condition.measurement.from;
   if (wanted.empty()) return;

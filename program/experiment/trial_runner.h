@@ -29,8 +29,8 @@ CompassParameters compass_parameters_of(const Condition& condition);
 /// the experiment if possible. Returns the venue.
 Venue check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
 
-/// The same result for the same condition and seed, whatever ran before. `rooms`: cache between trials. Throws
-/// std::runtime_error (of scripts: ScriptError) with one line.
+/// Returns the same result for the same condition and seed, independent of earlier trials. `rooms`: cache between
+/// trials. Throws std::runtime_error (of scripts: ScriptError) with one line.
 TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,
                       RoomCache& rooms);
 

@@ -31,7 +31,7 @@ constexpr std::size_t kLongestMistake = 2000;  // bytes
       work(task);
     } catch (const std::exception& error) {
       mistake = std::string(error.what()).substr(0, kLongestMistake);
-      if (mistake.empty()) mistake = "failed without a reason";
+      if (mistake.empty()) mistake = "unknown error";
     }
     // A message has at least one byte: an empty one would look like the end.
     mistake.insert(mistake.begin(), ' ');
@@ -46,14 +46,14 @@ class Worker {
   Worker(const std::function<void(int task)>& work, const std::vector<int>& others) {
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
-      throw std::system_error(errno, std::generic_category(), "no socket for a worker");
+      throw std::system_error(errno, std::generic_category(), "cannot create a socket for a worker");
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) {
       const int error = errno;
       close(ends[0]);
       close(ends[1]);
-      throw std::system_error(error, std::generic_category(), "no process for a worker");
+      throw std::system_error(error, std::generic_category(), "cannot create a process for a worker");
     }
     if (process_ == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);  // a worker ends with its parent
@@ -78,7 +78,7 @@ class Worker {
     send(socket_, &task, sizeof task, MSG_NOSIGNAL);  // if the worker has ended, the next read detects it
   }
 
-  /// The outcome of its task. Nothing if its process ended without a task.
+  /// The outcome of its task; nothing: its process ended without a task.
   std::optional<TaskEnd> take(bool& is_gone) {
     std::array<char, kLongestMistake + 1> message{};
     const ssize_t size = recv(socket_, message.data(), message.size(), 0);
@@ -99,7 +99,7 @@ class Worker {
   }
 
  private:
-  /// Whatever it does. Returns the status that waitpid gives.
+  /// Ends the process in any state. Returns the status of waitpid.
   int end() {
     if (process_ <= 0) return 0;
     int status = 0;

@@ -16,7 +16,7 @@ PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& sc
   // Footage is recorded: no motion is executed.
   body.gait.reset();
   body.get_up_time.reset();
-  body.standing_load = BodySample().foot_load;  // what FootageRobot says that the feet feel
+  body.standing_load = BodySample().foot_load;  // the load that FootageRobot reports
   const FieldDimensions field = load_field(field_file(setup.field, body));
   PreparedFootage prepared{engine_setup(setup, scripts, body, field, {false, false, false}), {}, {}};
   FrameSetup& frame = prepared.frame;
@@ -31,7 +31,7 @@ PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& sc
   FootageWall wall =
       footage_wall(*open_footage(setup.source, setup.footage, frame.body), setup.footage.wall, frame.field, frame.body);
   prepared.wall = std::move(wall.told);
-  // What a person sets comes last, and counts.
+  // Values of the user come last and override the others.
   frame.parameters.insert(frame.parameters.begin(), wall.parameters.begin(), wall.parameters.end());
   return prepared;
 }

@@ -30,7 +30,7 @@ struct PreparedFootage {
   std::string wall;                   ///< a line for the user
 };
 
-/// Finds mistakes before it looks for the wall, which takes a while. Throws std::runtime_error (of scripts:
+/// Reports mistakes before it fits the wall, which takes a while. Throws std::runtime_error (of scripts:
 /// ScriptError) with one line.
 PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& scripts);
 

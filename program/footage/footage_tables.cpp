@@ -16,7 +16,7 @@
 namespace reorient {
 namespace {
 
-/// Why a mirrored pose was not found, or a right one lost: what the room said meanwhile.
+/// Why a mirrored pose was not found, or a right one was flipped: evidence and room status during the trial.
 std::string cause_of(const TrialResult& result) {
   std::map<RoomStatus, int> statuses;
   double most = -1e9, least = 1e9;
@@ -25,7 +25,7 @@ std::string cause_of(const TrialResult& result) {
     most = std::max(most, sample.evidence);
     least = std::min(least, sample.evidence);
   }
-  if (statuses.empty()) return "no image was seen";
+  if (statuses.empty()) return "no image was processed";
   std::string text;
   for (const auto& [status, count] : statuses)
     text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", to_string(status),
@@ -44,7 +44,7 @@ std::string what_went_wrong(const TrialResult& result, const FootageCase& one, d
                      *result.corrected_after > watch ? "too late" : "but wrong again later");
 }
 
-/// The times of the rows, counted in images: what is left of them where images come seldom.
+/// The times of the rows as numbers of images, which matter more than seconds at a low rate.
 void print_images(const FootageResults& results, std::ostream& out) {
   TextTable lines{{"room", "start", "found", "images until then: median", "p90", "most"}};
   for (std::size_t i = 0; i < results.cells.size(); ++i) {
@@ -79,7 +79,7 @@ void print_failures(const FootageResults& results, double watch, const TrialComm
     for (const TrialResult& result : cell.trials) {
       if (!has_failed(result, one)) continue;
       if (!std::exchange(any, true))
-        out << "\nTrials that went wrong. A command shows the first of its row; the others differ in --belief-at:\n";
+        out << "\nFailed trials. A command shows the first of its row; the others differ in --belief-at:\n";
       const std::size_t index = result.seed - 1;
       if (!std::exchange(any_here, true))
         out << fmt::format("{}, {}, {}:\n    {}\n", as_line(cell.choices[0]), one.start, one.pose,
@@ -91,7 +91,7 @@ void print_failures(const FootageResults& results, double watch, const TrialComm
   }
 }
 
-/// Trials in which nothing could be found, since the robot still learned the room.
+/// Trials that could not succeed, because the robot still learned the room.
 void print_unlearned(const FootageResults& results, std::ostream& out) {
   for (std::size_t i = 0; i < results.names.size(); ++i) {
     const auto& starts = results.footages[i]->starts();
@@ -106,7 +106,7 @@ void print_unlearned(const FootageResults& results, std::ostream& out) {
   }
 }
 
-/// Whether the next trial begins before one is over, on the average.
+/// Whether trials overlap in time on average.
 bool have_common_images(const FootageResults& results, double watch) {
   return std::any_of(results.footages.begin(), results.footages.end(),
                      [&](const std::unique_ptr<FootageTrials>& footage) {

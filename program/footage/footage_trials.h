@@ -59,7 +59,7 @@ class FootageTrials {
     std::vector<std::byte> state;  ///< of the engine, before that frame
   };
   const std::vector<Start>& starts() const { return starts_; }
-  /// s, first time at which the evidence counted; nothing: not before the last start.
+  /// s, first time at which the evidence was usable; nothing: not before the last start.
   std::optional<double> room_learned_at() const { return room_learned_at_; }
   /// Its wall, as text for the user.
   const std::string& wall() const { return wall_; }

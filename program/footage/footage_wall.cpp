@@ -15,9 +15,9 @@ namespace reorient {
 namespace {
 
 constexpr std::size_t kMostViews = 400;
-constexpr std::size_t kMostImages = 4000;  // that are decoded for them
+constexpr std::size_t kMostImages = 4000;  // decoded for the fit
 
-/// False where the footage ends, also by damage: the run itself meets that and tells it, after all that came before.
+/// False at the end of the footage, also at damage: the run itself reports damage after the frames before it.
 bool read_next(FootageSource& source, FootageFrame& frame) {
   try {
     return source.next(frame);
@@ -26,7 +26,7 @@ bool read_next(FootageSource& source, FootageFrame& frame) {
   }
 }
 
-/// Evenly over the footage, as far as it is read.
+/// Images evenly spread over the part that is read.
 std::vector<WallView> views_of(FootageSource& source) {
   std::vector<WallView> views;
   std::size_t every = 1, images = 0;
@@ -74,18 +74,18 @@ FootageWall footage_wall(FootageSource& source, const std::string& choice, const
   }
   if (views.empty()) throw std::runtime_error("--wall: expected images with a pose to fit the wall to, found none");
   const WallParameters wall = wall_of(radius, views, usual.wall);
-  // As near against the wall as usually, and not farther.
+  // The usual distance relative to the wall, but not a larger one.
   const double nearest =
       std::min(usual.perception.min_distance, usual.perception.min_distance * radius / usual.wall.radius);
-  std::string told = fmt::format("wall: radius {:.1f} m, {:.1f} to {:.1f} m high, {} of tiles", radius, wall.bottom,
+  std::string line = fmt::format("wall: radius {:.1f} m, {:.1f} to {:.1f} m high, {} of tiles", radius, wall.bottom,
                                  wall.top, counted(wall.rows, "row"));
   if (choice == "auto" && !fit)
-    told += fmt::format(" (the radius is the field's: {} with a pose cannot determine distances)",
+    line += fmt::format(" (the radius is the field's: {} with a pose cannot determine distances)",
                         counted(views.size(), "image"));
   if (fit)
-    told +=
+    line +=
         fmt::format(" (radius {:.1f} to {:.1f} m by {} of images)", fit->low, fit->high, counted(fit->pairs, "pair"));
-  return {changes_for(wall, nearest), std::move(told)};
+  return {changes_for(wall, nearest), std::move(line)};
 }
 
 }  // namespace reorient

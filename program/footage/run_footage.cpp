@@ -24,10 +24,10 @@
 namespace reorient {
 namespace {
 
-/// Of --belief: right, mirrored, degrees to the left by which it is wrong, or both, as in mirrored:10.
+/// The value of --belief: right, mirrored, error in degrees to the left, or both, as in mirrored:10.
 std::optional<BeliefChange> belief_change_of(const RunOptions& options) {
   if (options.belief.empty()) {
-    if (options.lifted) throw std::runtime_error("--lifted: set the pose after it with --belief");
+    if (options.lifted) throw std::runtime_error("--lifted: expected --belief with the pose after lifting, found none");
     return std::nullopt;
   }
   BeliefChange change;
@@ -49,9 +49,9 @@ std::optional<BeliefChange> belief_change_of(const RunOptions& options) {
   return change;
 }
 
-/// How the robot knows its pose, as far as the first image tells.
+/// The source of the robot's pose, according to the first image.
 std::string pose_line(const FootageSetup& setup, const RobotBody& body, const FootageFrame& first) {
-  const std::string at = setup.at.empty() ? "an unknown place" : setup.at;
+  const std::string at = setup.at.empty() ? "an unknown position" : setup.at;
   if (first.heading) return "pose: the recorded rotation, at " + at;
   if (first.pose) return "pose: as recorded";
   std::string line = std::string("pose: by field lines") + (first.odometry ? " and the recorded odometry" : "") +
@@ -86,14 +86,14 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   };
   const auto verdict = [&](RunSummary& summary) {
     if (!itself.failure().empty()) {
-      summary.verdict = "the rest of the footage cannot be read";
+      summary.verdict = "the footage could not be read to its end";
       return;
     }
     summary.verdict = itself.is_over()
                           ? fmt::format("the footage is over after {}", counted(itself.frames(), "image"))
                           : fmt::format("ended after {}, as set by --seconds", counted(summary.frames, "image"));
     summary.succeeded = !summary.error || summary.correct;
-    if (!summary.error) summary.verdict += "; it has no true pose";
+    if (!summary.error) summary.verdict += "; the footage has no true pose";
   };
   RunParts parts{instance, engine, nullptr, nullptr, {}, {}, {}, options.seconds.value_or(0.0), false};
   return run_prepared(options,

@@ -30,11 +30,11 @@ std::optional<double> luma_at(const ImageView& image, const Eigen::Vector2d& whe
          v * ((1.0 - u) * image.luma(x, y + 1) + u * image.luma(x + 1, y + 1));
 }
 
-/// A lens blurs light, before the sensor codes it with a gamma: in coded values what is bright looks wider. sRGB's
-/// gamma, as nearly all cameras have it.
+/// A lens blurs light before the sensor codes it with a gamma, so bright stripes look wider in coded values. Uses the
+/// gamma of sRGB, as nearly all cameras do.
 double light_of(double luma) { return 255.0 * std::pow(luma / 255.0, 2.2); }
 
-/// One side of a stripe: how far from the brightest place luma has fallen halfway to the carpet's.
+/// One side of a stripe: distance from the brightest point at which luma is halfway to the carpet's.
 struct StripeSide {
   double half = 0.0;    ///< pixels
   double carpet = 0.0;  ///< light
@@ -104,7 +104,7 @@ double quantile_of(std::vector<double> values, double share) {
 
 constexpr double kWide = 4.0;  // pixels; at this width a stripe shows its whole contrast
 
-/// Of white against the carpet, as the widest stripes show it.
+/// The contrast of white against the carpet, measured on the widest stripes.
 struct WhiteContrast {
   double light = 0.0;
   bool is_known = false;  ///< false: no stripe is wide
@@ -121,7 +121,7 @@ WhiteContrast white_contrast(const std::vector<StripeProfile>& profiles) {
   return {quantile_of(of_all, 0.8), false};
 }
 
-/// In the image; nothing where the line leaves what the camera projects.
+/// Its projection into the image; nothing if the camera cannot project the line.
 std::optional<Eigen::Vector2d> tangent_of(const LinePoint& point, const CameraModel& camera,
                                           const Isometry3& camera_from_robot) {
   constexpr double kReach = 0.03;  // m
@@ -138,7 +138,7 @@ std::optional<Eigen::Vector2d> tangent_of(const LinePoint& point, const CameraMo
 
 LineStripes find_line_stripes(const ImageView& image, const CameraModel& camera, std::span<const Isometry3> attitudes,
                               const FieldFeatureParameters& parameters, const FieldDimensions& field) {
-  constexpr double kCell = 2.0;  // pixels; two places closer together are one
+  constexpr double kCell = 2.0;  // pixels; closer points count as one
   std::set<std::pair<long, long>> known;
   std::vector<LineStripe> stripes;
   std::vector<StripeProfile> profiles;

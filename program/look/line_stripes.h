@@ -24,13 +24,13 @@ struct LineStripe {
 
 struct LineStripes {
   std::vector<LineStripe> stripes;
-  /// The contrast of white was measured on wide stripes. Else it is that of the clearest thin ones, which is lower, and
-  /// all widths may be too large by one factor.
+  /// Whether the contrast of white was measured on wide stripes. Otherwise it is that of the clearest thin stripes,
+  /// which is lower, and all widths may be too large by one factor.
   bool contrast_is_known = false;
 };
 
-/// The stripes that the field vision takes for a field line from at least one of the camera's attitudes, each once. A
-/// stripe that is thinner than the blur is as wide as the light that it adds, divided by the contrast of wider ones.
+/// The stripes that the field vision detects as a field line for at least one of the camera's attitudes, each once. The
+/// width of a stripe that is thinner than the blur is its added light divided by the contrast of wider stripes.
 LineStripes find_line_stripes(const ImageView& image, const CameraModel& camera, std::span<const Isometry3> attitudes,
                               const FieldFeatureParameters& parameters, const FieldDimensions& field);
 

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// No more digits than a measurement has.
+/// Rounds to the digits that are significant.
 ordered_json number(double value, int digits) {
   const double units = std::pow(10.0, digits);
   return std::isfinite(value) ? ordered_json(std::round(value * units) / units) : ordered_json();
@@ -203,7 +203,7 @@ void JsonList::add(const std::string& value) {
 void JsonList::end() {
   out_ << (is_empty_ ? "[]\n" : "\n]\n");
   out_.close();
-  if (!out_) throw std::runtime_error("cannot write " + file_.path().string() + ": the disk is full, or it is gone");
+  if (!out_) throw std::runtime_error("cannot write " + file_.path().string() + "; check the free space of the disk");
   file_.end();
 }
 

@@ -45,8 +45,9 @@ void LookPictures::write(const std::filesystem::path& file, const pictures::Pict
   std::error_code error;
   for (const std::filesystem::path& input : inputs_) {
     if (std::filesystem::equivalent(input, file, error))
-      throw std::runtime_error(file.string() +
-                               ": expected a name that no input has for the picture; name another folder with --out");
+      throw std::runtime_error(
+          file.string() +
+          ": expected a picture that replaces no input, found an input of this name; name another folder with --out");
   }
   pictures::write_png(file, picture);
   written_.push_back(file);

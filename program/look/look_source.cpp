@@ -34,7 +34,7 @@ class ImageFiles : public LookSource {
   std::size_t next_ = 0;
 };
 
-/// Logs and recordings contain the poses of their cameras. Of tables, each row may.
+/// Logs and recordings contain the poses of their cameras; rows of tables may contain them.
 class ImagesOfFootage : public LookSource {
  public:
   ImagesOfFootage(std::string file, std::unique_ptr<FootageSource> source, bool is_log, std::vector<FrameRow> rows)
@@ -76,7 +76,8 @@ std::unique_ptr<LookSource> open_look_source(const std::vector<std::filesystem::
   const std::filesystem::path& source = sources.front();
   if (is_image_file(source) && !std::filesystem::is_directory(source, error))
     return std::make_unique<ImageFiles>(sources, camera_of(arguments, body));
-  if (!arguments.images_per_second) arguments.images_per_second = 1.0;  // no time is used: a table needs none
+  if (!arguments.images_per_second)
+    arguments.images_per_second = 1.0;  // times are not used, so a table need not have them
   const bool is_log = source.extension() == ".mcap";
   std::vector<FrameRow> rows;
   if (!is_log) {

@@ -14,11 +14,11 @@
 namespace reorient {
 
 struct LookImage {
-  std::string file;              ///< the image, or what contains it
-  FootageFrame frame;            ///< its name is that of the image in the file
-  bool pitch_is_known = false;   ///< it was recorded; else the frame's pitch is 0
-  bool roll_is_known = false;    ///< it was recorded; else it is 0
-  bool height_is_known = false;  ///< it was recorded; else it is the body's
+  std::string file;              ///< the image, or the file that contains it
+  FootageFrame frame;            ///< with the name of the image in the file
+  bool pitch_is_known = false;   ///< recorded; else the frame's pitch is 0
+  bool roll_is_known = false;    ///< recorded; else 0
+  bool height_is_known = false;  ///< recorded; else the body's
 };
 
 class LookSource {

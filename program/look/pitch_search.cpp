@@ -20,16 +20,16 @@ namespace {
 constexpr double kLowest = -20.0, kHighest = 45.0;  // degrees
 constexpr double kSearchStep = 0.5;
 constexpr double kMostRoll = 8.0, kRollStep = 2.0;  // degrees
-constexpr double kUsualRoll = 2.5;                  // degrees, deviation of a robot's that walks, or of a hand's
-constexpr double kStripeStep = 2.5;                 // between the pitches at which stripes are looked for
+constexpr double kUsualRoll = 2.5;                  // degrees, deviation for a walking robot or a hand-held camera
+constexpr double kStripeStep = 2.5;                 // between the pitches at which stripes are searched
 constexpr std::size_t kMostStripes = 300;
-constexpr int kDirections = 30;  // of the field, in a quarter turn
+constexpr int kDirections = 30;  // of the field, within 90 degrees
 
-// Deviations of what is measured. Each mixture has a share of stripes that are no lines, or no straight ones.
+// Standard deviations of the measurements. Each mixture has a fraction of stripes that are not straight lines.
 constexpr double kWidthError = 0.15;  // of a line's width
 constexpr double kEdgeError = 0.5;    // pixels, of a width
 constexpr double kTangentError = 2.5 * kPi / 180.0;
-constexpr double kOtherWidths = 0.2, kWidthRange = 4.0;  // share; range of the width's logarithm
+constexpr double kOtherWidths = 0.2, kWidthRange = 4.0;  // fraction; range of the width's logarithm
 constexpr double kOtherDirections = 0.3;
 
 double normal_density(double off, double deviation) {
@@ -39,11 +39,11 @@ double normal_density(double off, double deviation) {
 
 double width_deviation(const LineStripe& stripe) { return std::hypot(kWidthError, kEdgeError / stripe.width); }
 
-/// A stripe on the ground, as one pitch implies it.
+/// A stripe on the ground, computed for one pitch.
 struct GroundStripe {
   double width = 0.0;      ///< pixels that a field line there would be wide
   double direction = 0.0;  ///< rad on the ground, along the stripe
-  double tilt = 1.0;       ///< rad by which the image's tangent turns, for a turn by 1 rad on the ground
+  double tilt = 1.0;       ///< rotation of the image's tangent in rad for a rotation by 1 rad on the ground
 };
 
 std::optional<GroundStripe> on_ground(const GroundProjection& view, const LineStripe& stripe, double line_width) {
@@ -64,18 +64,18 @@ std::optional<GroundStripe> on_ground(const GroundProjection& view, const LineSt
   return GroundStripe{line_width / meters, direction_of(*along_slope), length / meters};
 }
 
-/// How well the stripes and the carpet agree with one pitch at a time.
+/// Likelihood of the stripes and the carpet for one pitch at a time.
 class PitchLikelihood {
  public:
   PitchLikelihood(const CameraModel& camera, std::vector<LineStripe> stripes, std::vector<float> boundary,
                   double line_width)
       : camera_(camera), stripes_(std::move(stripes)), boundary_(std::move(boundary)), line_width_(line_width) {}
 
-  /// Its logarithm, up to a constant.
+  /// The log-likelihood, up to a constant.
   double operator()(const Isometry3& robot_from_camera) const {
     const auto view = GroundProjection::look(camera_, robot_from_camera);
     if (!view) return -1e6;
-    // Stripes close together are off for one reason: they count as a part of one, and many as a few.
+    // Errors of adjacent stripes are correlated: reduce their weight, and the weight of many stripes.
     constexpr double kTogether = 8.0, kMost = 15.0;
     const double weight =
         std::min(1.0 / kTogether, kMost / std::max<double>(1.0, static_cast<double>(stripes_.size())));
@@ -112,12 +112,12 @@ class PitchLikelihood {
   }
 
  private:
-  /// Of the image's tangent, where the field's lines run in the direction `index` and across it.
+  /// Log-likelihood of the image's tangent if the field's lines run in the direction `index` and across it.
   static double direction_density(const GroundStripe& stripe, int index) {
     constexpr double kQuarter = 0.5 * kPi;
     const double turn = stripe.direction - (index + 0.5) * kQuarter / kDirections;
     const double off = turn - kQuarter * std::round(turn / kQuarter);
-    // The steps between the directions that are tried blur what they imply.
+    // The steps between the tried directions add an error.
     const double deviation = std::hypot(kTangentError, 0.3 * kQuarter / kDirections * stripe.tilt);
     return (1.0 - kOtherDirections) * 0.5 * normal_density(off * stripe.tilt, deviation) + kOtherDirections / kPi;
   }
@@ -149,7 +149,7 @@ std::vector<LineStripe> thinned(std::vector<LineStripe> stripes) {
   return some;
 }
 
-/// Of all carpet in the image, wherever the horizon is: as if the camera looked far down.
+/// All carpet in the image, independent of the horizon: as if the camera looked far down.
 std::vector<float> carpet_boundary(const ImageView& image, const CameraModel& camera, const Isometry3& attitude,
                                    const FieldFeatureParameters& parameters, const FieldDimensions& field) {
   FieldFeatures features(parameters, field);
@@ -158,7 +158,7 @@ std::vector<float> carpet_boundary(const ImageView& image, const CameraModel& ca
   return percept.boundary;
 }
 
-/// A roll against the one that is expected.
+/// A roll relative to the expected one.
 struct TriedRoll {
   double degrees = 0.0;
   double prior = 0.0;  ///< logarithm, up to a constant
@@ -172,7 +172,7 @@ std::vector<TriedRoll> rolls_to_try(bool roll_is_known) {
   return rolls;
 }
 
-/// How likely which pitch is, whatever the roll.
+/// The probability of the pitches, summed over the rolls.
 struct PitchPosterior {
   double pitch = 0.0;      ///< degrees, the mean around the most likely one
   double roll = 0.0;       ///< degrees against the expected one, the same
@@ -227,8 +227,8 @@ PitchEstimate search_pitch(const ImageView& image, const CameraModel& camera, co
   const PitchLikelihood likelihood(camera, stripes, boundary, field.line_width);
   const PitchPosterior posterior = posterior_of(likelihood, robot_from_camera, rolls_to_try(roll_is_known));
 
-  // What makes all stripes of an image wider at once is averaged out by no number of them: the camera's gamma may be
-  // another than the usual one, and white may be brighter than thin lines show.
+  // An error of all widths of an image does not average out: the camera's gamma may differ from the usual one, and
+  // white may be brighter than thin lines show.
   struct Bias {
     double pixels, factor;
   };

@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-/// Rows of the horizon in some columns, from left to right; empty where the camera's attitude cannot be used.
+/// Rows of the horizon in some columns, from left to right; empty if the camera's attitude cannot be used.
 std::vector<Eigen::Vector2d> horizon_of(const CameraModel& camera, const Isometry3& robot_from_camera) {
   constexpr int kPieces = 32;
   std::vector<Eigen::Vector2d> horizon;

@@ -36,7 +36,7 @@ std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
   SavedModel model{frame.room.basis, learned, BackgroundModel(frame.room.model), camera_bias_};
   const int known_tiles = model.model.known_tiles();
   if (known_tiles == 0) return std::nullopt;
-  // A parameter that was changed in the run can make the engine forget the room; the file is not to forget it, too.
+  // A parameter change in the run can clear the engine's model; the file must keep it.
   is_forgotten_ = kept_ && (!differences(kept_->basis, model.basis).empty() || known_tiles < kept_->known_tiles);
   if (is_forgotten_) return std::nullopt;
   kept_ = Kept{model.basis, known_tiles};
@@ -47,7 +47,7 @@ std::optional<SavedModel> ModelKeeper::news(const FrameRecord& frame) {
 
 void ModelKeeper::observe(const FrameRecord& frame, const SceneTruth& /*scene*/) {
   if (frame.world.time < next_) return;
-  if (writing_.is_busy()) return;  // asked again in the next frame
+  if (writing_.is_busy()) return;  // try again in the next frame
   next_ = frame.world.time + kSavingPeriod;
   std::optional<SavedModel> model = news(frame);
   if (!model) return;

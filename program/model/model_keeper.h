@@ -51,10 +51,10 @@ class ModelKeeper : public Observer {
   std::optional<Kept> kept_;                             // in the file
   double learned_before_;                                // s, at the last check
   std::optional<KnownBias> camera_bias_;                 // the latest one to save
-  bool any_news_ = false;                                // of this run
+  bool any_news_ = false;                                // learned in this run
   bool is_saved_ = false;                                // with the final state of the run
   bool is_forgotten_ = false;                            // by the run, not by the file
-  std::optional<SavedModel> end_;                        // what the run ended with
+  std::optional<SavedModel> end_;                        // the model at the end of the run
   double next_ = std::numeric_limits<double>::lowest();  // s, in the robot's time
   BackgroundWriting writing_;
 };

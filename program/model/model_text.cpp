@@ -27,14 +27,14 @@ std::string known_by_row(const SavedModel& model, const Wall& wall) {
   return rows;
 }
 
-/// Over what part of the wall a tile goes: degrees to the left of the +x axis, m.
+/// The position of a tile: degrees to the left of the +x axis, heights in m.
 std::string place_of(int tile, const Wall& wall) {
   const double azimuth = normalize_angle((wall.column_of(tile) + 0.5) * wall.column_width());
   const double foot = wall.bottom() + wall.row_of(tile) * wall.row_height();
   return fmt::format("{:+5.0f} degrees, {:4.1f} to {:4.1f} m", to_degrees(azimuth), foot, foot + wall.row_height());
 }
 
-/// All columns, as RoomAwareness compares them one a frame.
+/// Compares all columns at once; RoomAwareness compares one a frame.
 double separability_of(const ComparedModel& model, const Wall& wall) {
   Separability separability;
   separability.restart(wall.columns());
@@ -96,7 +96,7 @@ void print_comparison(const ModelComparison& comparison, const Wall& wall, std::
           : comparison.is_same_way()
               ? "both are seen from the same end of the field\n"
               : "cannot tell that both are of the same room, seen from the same end of the field\n");
-  constexpr double kShownDifference = 0.005;  // rounded, it is not 0.00
+  constexpr double kShownDifference = 0.005;  // not 0.00 when rounded
   std::size_t shown = 0;
   while (shown < std::min(kShown, comparison.tiles.size()) && comparison.tiles[shown].distance >= kShownDifference)
     ++shown;

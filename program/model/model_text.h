@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person reads of models of rooms.
+// Models of rooms as text for the user.
 #pragma once
 
 #include <iosfwd>
@@ -9,10 +9,10 @@
 
 namespace reorient {
 
-/// Wall, tiles that are known, and whether a robot can decide with it.
+/// Wall, known tiles, and whether the model is sufficient for decisions.
 void print_model(const SavedModel& model, std::ostream& out);
 
-/// Of two models with this wall: the means, whether one of them is turned, and where they differ most.
+/// Two models with this wall: mean difference, whether one is rotated by 180 degrees, and where they differ most.
 void print_comparison(const ModelComparison& comparison, const Wall& wall, std::ostream& out);
 
 }  // namespace reorient

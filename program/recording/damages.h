@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// A line each.
+/// Prints one line for each damage.
 void tell_damages(const Recording& recording, std::ostream& err);
 
 }  // namespace reorient

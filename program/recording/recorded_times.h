@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moments of a recording as a person names them, in s of the robot.
+// Times of a recording from the command line, in s of the robot.
 #pragma once
 
 #include <limits>
@@ -19,7 +19,7 @@ struct RecordedTimes {
 /// `--from` and `--to`.
 void add_time_options(CLI::App& parser, RecordedTimes& times);
 
-// Throw std::runtime_error with one line where nothing was recorded then.
+// Throw std::runtime_error with one line if the time is outside of the recording.
 void require_recorded(const Recording& recording, const RecordedTimes& times);
 void require_recorded(const Recording& recording, double at);
 

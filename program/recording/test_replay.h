@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// Files are named from `folder` on, or by their whole path.
+/// File names are relative to `folder`, or absolute.
 PlayRecording recordings_below(std::filesystem::path folder);
 
 }  // namespace reorient

@@ -34,7 +34,7 @@ bool is_panorama_name(const std::string& source) {
   return std::find(kPanoramaExtensions.begin(), kPanoramaExtensions.end(), extension) != kPanoramaExtensions.end();
 }
 
-/// By its first bytes, so that a recording may have any name.
+/// Checks the first bytes, because a recording may have any name.
 bool is_recording(const std::filesystem::path& file) {
   std::error_code error;
   return std::filesystem::is_regular_file(file, error) && mcap::is_mcap(mcap::FileSource(file));  // a pipe would wait
@@ -52,7 +52,7 @@ SavedModel learned_by_simulator(const std::string& source, const Learning& learn
   };
   set("trial.event", "none");
   set("trial.learn", to_text(ParameterValue(learning.seconds)));
-  // Where the room does not speak for the belief once it is trusted, it would not be learned any further.
+  // Training would stop if the room did not support the belief after the first decisions.
   for (const char* const name : {"background_training.min_time", "background_training.max_time"})
     set(name, to_text(ParameterValue(learning.seconds)));
   if (learning.stands_still) {  // as assets/conditions/head.toml

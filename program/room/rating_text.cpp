@@ -49,12 +49,12 @@ std::string banner_in_words(const BannerRating& rating) {
   const Banner& banner = rating.banner;
   const std::string what =
       fmt::format("a {} banner of {:g} m by {:g} m", color_in_words(banner.color), banner.width, banner.height);
-  if (!rating.with) return "no place was found where " + what + " would save 2 % of the time";
+  if (!rating.with) return "no position found at which " + what + " would save 2 % of the time";
   if (rating.without.trials == 0)
     return fmt::format("{} at {} would let the room be used: {}", what, bearing(banner.azimuth),
                        times_in_words(*rating.with));
   const double before = rating.without.mean_up_to_limit, after = rating.with->mean_up_to_limit;
-  return fmt::format("{} at {} would take the mean time from {:.1f} to {:.1f} s ({:+.0f} %)", what,
+  return fmt::format("{} at {} would change the mean time from {:.1f} to {:.1f} s ({:+.0f} %)", what,
                      bearing(banner.azimuth), before, after, 100.0 * (after - before) / before);
 }
 
@@ -140,16 +140,17 @@ void print_rating(const LearnedRoom& room, const RoomRating& rating, std::ostrea
   if (rating.times) {
     out << "time to correction of a mirrored belief: " << times_in_words(*rating.times) << '\n'
         << fmt::format(
-               "  from the moment in which hands begin to put it down, 0.9 s before it stands on average; misfit "
-               "of looks {:g}\n",
+               "  measured from the start of placing the robot, 0.9 s before it stands on average; misfit of "
+               "observations "
+               "{:g}\n",
                rating.misfit);
   }
   if (rating.false_flips) {
     out << "false flips: " << false_flips_in_words(*rating.false_flips) << '\n'
-        << "  stands on looks that differ from the model at random; other light, people and lines that are seen wrong "
-           "are not in it\n";
+        << "  computed from observations that differ from the model at random, without other light, people and wrong "
+           "lines\n";
   }
-  out << "where the evidence comes from, in log-odds of a look of 1 s at one column of the wall (of "
+  out << "where the evidence comes from, in log-odds of an observation of 1 s of one column of the wall (of "
       << rating.directions.size() << "):\n";
   print_directions("best", best_directions(rating.directions, kShownDirections), out);
   print_directions("worst", worst_directions(rating.directions, kShownDirections), out);
@@ -157,7 +158,7 @@ void print_rating(const LearnedRoom& room, const RoomRating& rating, std::ostrea
   if (rating.verdict == RoomVerdict::unlearned) {
     out << "let the robot learn more of the room first, from several places\n";
   } else {
-    out << (rating.banner ? banner_in_words(*rating.banner) : "no banner was tried") << '\n';
+    out << (rating.banner ? banner_in_words(*rating.banner) : "no banner was evaluated") << '\n';
   }
 }
 

@@ -33,10 +33,10 @@ ColumnHeaders headers_of(const std::vector<std::string>& columns) {
       throw BadFootage("--column: expected NAME=HEADER or NAME=HEADER:UNIT, as in time=stamp:ns, found '" + column +
                        "'");
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw BadFootage("--column: unknown column '" + name + "'" + did_you_mean(name, known) + "; there are " +
+      throw BadFootage("--column: unknown column '" + name + "'" + did_you_mean(name, known) + "; expected " +
                        list_of(known));
     if (!headers.emplace(name, column.substr(equals + 1)).second)
-      throw BadFootage("--column: " + name + " is named twice");
+      throw BadFootage("--column: expected different columns, found " + name + " twice");
   }
   return headers;
 }
@@ -48,7 +48,7 @@ FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body
   if (!arguments.fov_degrees) return camera;
   CameraOptics& optics = camera.optics;
   optics.field_of_view_horizontal = from_degrees(*arguments.fov_degrees);
-  // A pinhole with square pixels: that is the body's camera no more.
+  // A pinhole with square pixels replaces the body's camera.
   optics.field_of_view_vertical =
       2.0 * pinned::atan2(pinned::tan(0.5 * optics.field_of_view_horizontal) * optics.height, 1.0 * optics.width);
   static_cast<Lens&>(optics) = Lens();
@@ -58,7 +58,7 @@ FootageCamera camera_of(const FootageArguments& arguments, const RobotBody& body
 
 namespace {
 
-/// "KIND=NAME" of an option into the place of that kind.
+/// Stores the value of an option "KIND=NAME" in the field of that kind.
 void take_names(const char* option, const std::vector<std::string>& words,
                 const std::map<std::string, std::function<void(const std::string&)>>& places) {
   std::vector<std::string> known;

@@ -19,7 +19,7 @@
 
 namespace reorient {
 
-/// A robot and an engine that are ready to run. What it points to must outlive the run.
+/// A robot and an engine that are ready to run. The objects that it points to must outlive the run.
 struct LiveRunParts {
   RunParts parts;                            ///< with the sources and observers of this robot only
   ScriptEdits* edits = nullptr;              ///< nullptr: the run takes neither edits of scripts nor commands
@@ -37,8 +37,8 @@ class LiveRun {
   void tell(const std::string& line);
 
   /// Runs until the robot, the operator, a signal or `live.parts.stop` ends it. An Interruption must exist. The robot's
-  /// own observers come before all others, its sources behind. Throws std::runtime_error with one line if the recording
-  /// cannot begin.
+  /// own observers come before all others, its sources after them. Throws std::runtime_error with one line if the
+  /// recording cannot begin.
   RunEnd run(LiveRunParts live);
 
   // After run():

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording of the program as footage: what a robot, or the simulator, saw before.
+// A recording of the program as footage: images that a robot or the simulator recorded.
 #pragma once
 
 #include <filesystem>

@@ -27,7 +27,7 @@ nlohmann::json to_json(const TimeQuantiles& times) {
           {"longest", kMilliseconds * times.longest}};
 }
 
-/// A script may print any bytes, and a file may have any name.
+/// Makes all texts valid UTF-8, because scripts may print any bytes and files may have any name.
 void make_utf8(nlohmann::json& json) {
   if (json.is_structured()) {
     for (nlohmann::json& each : json) make_utf8(each);
@@ -43,9 +43,9 @@ nlohmann::json or_null(const std::optional<Value>& value) {
 
 /// The error of the camera's angles straight ahead. Empty if it is small or uncertain.
 std::string bias_in_words(const CameraBias& bias) {
-  constexpr double kWorthTelling = from_degrees(0.5), kSure = 3.0;  // times the deviation
+  constexpr double kLeastReported = from_degrees(0.5), kSure = 3.0;  // multiple of the deviation
   const auto [roll, pitch] = bias_ahead(bias);
-  if (std::max(std::abs(pitch), std::abs(roll)) < std::max(kWorthTelling, kSure * bias.deviation)) return {};
+  if (std::max(std::abs(pitch), std::abs(roll)) < std::max(kLeastReported, kSure * bias.deviation)) return {};
   return fmt::format("the camera looks {:.1f} degrees {} than is measured and is rolled by {:.1f} degrees (to {:.1f})",
                      to_degrees(std::abs(pitch)), pitch > 0.0 ? "lower" : "higher", to_degrees(roll),
                      to_degrees(bias.deviation));

@@ -18,7 +18,7 @@ struct RunCircumstances {
   std::string room;
   std::uint64_t seed = 0;
   bool room_awareness = true;
-  double wall_seconds = 0.0;  ///< that the run took
+  double wall_seconds = 0.0;  ///< duration of the run
   std::string digest;
   TimeQuantiles frame_time;                    ///< s in wall-clock time, reloads included
   TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's

@@ -25,7 +25,7 @@ spdlog::level::level_enum level_of(LogLine::Level level) {
                                             : spdlog::level::err;
 }
 
-/// Writes nothing: it stands before the sink that does.
+/// Clears the terminal line; the next sink writes the text.
 class RoomMaker : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   explicit RoomMaker(std::function<void()> make_room) : make_room_(std::move(make_room)) {}

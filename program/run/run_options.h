@@ -15,21 +15,21 @@
 
 namespace reorient {
 
-/// A scenario and its circumstances: the same ones give the same run, byte for byte.
+/// A scenario and its circumstances. The same options give the same run, byte for byte.
 struct SimulationOptions : EngineOptions {
   std::string robot = "simulator";              ///< program/robots.h
   std::string scenario = "mirrored_placement";  ///< scripts/scenarios/NAME.lua, or a path to a file
   std::vector<std::string> with;                ///< behaviors to add to those that the scenario lists
   std::vector<std::string> without;             ///< behaviors of the scenario to leave out
-  // Where it takes place; what is not set here is chosen by the scenario (program/run/venue.h).
+  // The venue; the scenario chooses what is not set here (program/run/venue.h).
   std::string room;                        ///< panorama file, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of the procedural hall
   int width = 320;                         ///< of the camera image, pixels; the height is 3/4 of it
   std::string cameras = "upper";           ///< or "both"
-  std::filesystem::path model;             ///< of the room, if the file is there; empty: none
+  std::filesystem::path model;             ///< of the room, if the file exists; empty: none
   std::optional<SavedModel> learned;       ///< a model of the room, instead of one from a file
   bool sides_changed = false;              ///< the team plays toward the other goal than in the axes of the model
-  /// Of the robot's time, at most. Nothing: kUsualSeconds of a simulation; footage ends by itself.
+  /// Largest duration in the robot's time. Nothing: kUsualSeconds of a simulation; footage ends by itself.
   std::optional<double> seconds;
   std::map<std::string, std::string> said_at;  ///< of an experiment: file and line of "scenario", of "with head_scan"
 };
@@ -43,10 +43,10 @@ struct RunOptions : SimulationOptions {
   bool fresh = false;            ///< start without the saved state
   // Of the NAO (program/run/nao/).
   std::filesystem::path guard;        ///< memory shared with the guard; empty: its default
-  std::string at;                     ///< X,Y,DEGREES, set once it stands; empty: not set
+  std::string at;                     ///< X,Y,DEGREES, set when the robot stands; empty: not set
   std::filesystem::path places;       ///< TOML file: where players stand before the game begins; empty: none
   std::filesystem::path calibration;  ///< TOML file: mounting of its cameras; empty: the data sheet's
-  int team = 0;                       ///< number in the league; 0: ignore messages of the referee
+  int team = 0;                       ///< team number in the league; 0: ignore messages of the referee
   int player = 1;
   bool stand = false;  ///< stand up at once, without waiting for the chest button
   bool walk = false;   ///< another program walks, beside the guard

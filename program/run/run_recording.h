@@ -21,8 +21,8 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
 /// the option that names it.
 void require_new_or_recording(const std::filesystem::path& file, const std::string& option);
 
-/// A supervisor that restarts the program, for another client or after a crash, cannot choose a name: the old recording
-/// stays, and match-2.mcap is next, or the next free number.
+/// A supervisor that restarts the program, for another client or after a crash, cannot choose a name: keep the old
+/// recording, and write match-2.mcap or the next free number.
 enum class EarlierRecording { is_replaced, stays };
 
 class RunRecording {

@@ -17,23 +17,24 @@ namespace reorient {
 /// Observers of the caller, its condition to end the run, and its verdict.
 struct RunGuests {
   std::vector<Observer*> observers;
-  std::function<bool()> stop;                        ///< asked after each frame; may be empty
+  std::function<bool()> stop;                        ///< called after each frame; may be empty
   std::function<void(RunSummary& summary)> verdict;  ///< instead of the scenario's; may be empty
 };
 
-/// A robot and an engine that are ready to run, on a simulated clock. What it points to must outlive the run.
+/// A robot and an engine that are ready to run, on a simulated clock. The objects that it points to must outlive the
+/// run.
 struct PreparedRun {
   LiveRunParts live;                       ///< without observers and a recording
   std::string venue;                       ///< room and field, for the user
-  ConsoleSubject subject;                  ///< what commands act on
+  ConsoleSubject subject;                  ///< the objects that commands change
   std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
 };
 
-/// From a prepared run to the outputs that the options ask for. An Interruption must be there. Returns the exit code.
+/// Runs, and writes the outputs that the options request. An Interruption must exist. Returns the exit code.
 int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& guests, std::ostream& out,
                  std::ostream& err);
 
-/// Writes the timeline and the summary to `out`, progress and mistakes to `err`. Returns the exit code. Throws
+/// Writes the timeline and the summary to `out`, progress and errors to `err`. Returns the exit code. Throws
 /// std::runtime_error (of scripts: ScriptError) with one line on bad input.
 int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostream& out, std::ostream& err);
 

@@ -41,7 +41,7 @@ class Simulation {
   ScenarioHost& scenario() { return *scenario_; }
   /// The present parameters of the engine, the scenario and the robot, by name.
   std::vector<Parameter> parameters() const;
-  /// Parameters in files for scripts and robots that are not in this run.
+  /// Values in parameter files for scripts and robots that are not in this run.
   std::vector<ParameterChange> kept_parameters() const;
 
  private:

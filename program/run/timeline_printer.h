@@ -12,8 +12,8 @@
 
 namespace reorient {
 
-/// Prints a line for each event. Repeated events, as of a head that scans from side to side, are printed once and
-/// then counted: they would hide what matters. A granted flip, purge or reset is always printed.
+/// Prints a line for each event. Repeated events, such as those of a scanning head, are printed once and then counted,
+/// because they would hide other events. A granted flip, purge or reset is always printed.
 class TimelinePrinter : public Observer {
  public:
   /// `make_room`: called before a line is printed if other text is in the terminal's last line; may be

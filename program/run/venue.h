@@ -26,7 +26,7 @@ struct Venue {
   std::uint64_t hall_seed = 1;  ///< of the procedural hall
   std::filesystem::path field;
 
-  std::string name() const;  ///< of the room, for people
+  std::string name() const;  ///< of the room, for the user
 };
 
 /// `body`: its field is the default. Throws std::runtime_error with one line if the file of a room or field is missing.
@@ -35,7 +35,7 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting,
 /// A file, or a shipped file by its name; the NAO's for an empty path. Throws std::runtime_error with one line if the
 /// file is missing.
 std::filesystem::path body_file(const std::filesystem::path& named);
-/// The same for a field; for an empty path the body's field, if it is known.
+/// The same for a field; for an empty path the field of the body, if it is known.
 std::filesystem::path field_file(const std::filesystem::path& named);
 std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body);
 /// The shipped bodies, as text: "booster-k1, nao-v6".

@@ -65,8 +65,8 @@ TEST_F(ParameterModulesTest, WarnsOnceOfAnUnknownModule) {
 TEST_F(ParameterModulesTest, WarnsOfAFormerNameAndLeavesItOut) {
   EXPECT_TRUE(kept_for_others({in_file("room_status.asymmetry", "0.6")}, modules).empty());
   EXPECT_EQ(log.str(),
-            "team.toml:7: parameter 'room_status.asymmetry' is not used any more: 'room_status.separability', a "
-            "probability, took its place\n");
+            "team.toml:7: parameter 'room_status.asymmetry' is no longer used: 'room_status.separability', a "
+            "probability, replaces it\n");
 }
 
 TEST_F(ParameterModulesTest, WarnsOnceOfAFormerFieldInAFileThatIsLoaded) {

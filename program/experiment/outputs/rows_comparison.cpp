@@ -32,7 +32,7 @@ Choices sorted(Choices choices) {
   return choices;
 }
 
-/// `rest_of`: what the partners have in common.
+/// `rest_of`: the choices that must be equal in both partners.
 template <typename RestOf>
 PairedRows paired(const std::vector<StoredRow>& first, const std::vector<StoredRow>& second, RestOf&& rest_of) {
   std::map<Choices, const StoredRow*> partners;

@@ -52,7 +52,7 @@ std::vector<std::string> cells_of(const CellResults& cell) {
   return cells;
 }
 
-/// Published measurements of cases that were tried here, too.
+/// Published measurements of cases that this experiment contains, too.
 TextTable lines_of_references(const Experiment& experiment, const std::vector<CellResults>& cells) {
   TextTable lines;
   const auto rate = [](const std::optional<double>& value) { return value ? percent(*value) + " %" : "-"; };

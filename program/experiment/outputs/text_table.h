@@ -10,9 +10,9 @@
 
 namespace reorient {
 
-using TextTable = std::vector<std::vector<std::string>>;  ///< line by line, all with as many cells as the first
+using TextTable = std::vector<std::vector<std::string>>;  ///< rows with the same number of cells
 
-/// Each column as wide as its texts; the first `left` columns begin at their left edge, the others end at their right.
+/// Each column as wide as its longest text; the first `left` columns are left-aligned, the others right-aligned.
 void print_table(const TextTable& table, std::size_t left, std::ostream& out);
 
 /// With one decimal; "-" without a value.

@@ -36,7 +36,7 @@ std::uint64_t random_number() {
   return (static_cast<std::uint64_t>(device()) << 32) | device();
 }
 
-/// Robots and fields of the files here. A client with another robot or field sends its numbers.
+/// The robots and fields that this program has files of. A client with another robot or field sends its dimensions.
 KnownRobots known_robots() {
   const auto named = [](const std::string& name, auto load) -> decltype(std::optional(load(name))) {
     try {
@@ -56,7 +56,7 @@ KnownRobots known_robots() {
 }
 
 /// Digest of everything that must be equal when a process continues from a saved state. It contains --sides-changed,
-/// which says in which half's axes the state is: otherwise the model file would be saved in the wrong axes.
+/// because the state is in the axes of one half: otherwise the model file would be saved in the wrong axes.
 std::string circumstances_of(const Handshake& handshake, const FrameSetup& setup, const RunOptions& options) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
@@ -74,10 +74,10 @@ class KeptCompanion : public Robot {
   void set_engine(const FrameLoop& engine) { engine_ = &engine; }
 
   bool observe(Observation& observation) override {
-    if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock(), was_told_pose_);
+    if (any_frame_) keeper_.keep(*engine_, companion_, monotonic_clock(), had_initial_pose_);
     const bool is_there = companion_.observe(observation);
     any_frame_ = any_frame_ || is_there;
-    was_told_pose_ = is_there && observation.external.initial_pose;
+    had_initial_pose_ = is_there && observation.external.initial_pose;
     return is_there;
   }
   bool any_frame() const { return any_frame_; }
@@ -88,7 +88,7 @@ class KeptCompanion : public Robot {
   StateKeeper& keeper_;
   const FrameLoop* engine_ = nullptr;
   bool any_frame_ = false;
-  bool was_told_pose_ = false;
+  bool had_initial_pose_ = false;
 };
 
 /// Sends the states of machines, log lines and faults to the client.
@@ -136,7 +136,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   require_no_link(state);
   const std::optional<RecorderOptions> recording_options = recorder_options(options, "");
 
-  // The prompt's engine changes with each client that is another robot.
+  // The prompt's engine changes with each client of another robot.
   FrameLoop* engine_now = nullptr;
   LiveConsole console(
       STDIN_FILENO, out,
@@ -149,7 +149,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
 
   bool fresh = options.fresh;
   std::vector<std::string> failures;
-  std::string told_mistake;
+  std::string printed_mistake;
   while (const Handshake* const connected = companion.wait_for_handshake()) {
     const Handshake handshake = *connected;
     std::optional<StateKeeper> kept;
@@ -171,11 +171,11 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       // A model of another wall, or a script with a new error. Other clients may connect, and the script may be fixed.
       const bool is_models = dynamic_cast<const UnfitModel*>(&error) != nullptr;
       const std::string mistake = (is_models ? "--model " + options.model.string() + ": " : "") + error.what();
-      if (std::exchange(told_mistake, mistake) != mistake) err << "reorient: " << mistake << "\n" << std::flush;
+      if (std::exchange(printed_mistake, mistake) != mistake) err << "reorient: " << mistake << "\n" << std::flush;
       companion.refuse(mistake);
       continue;
     }
-    told_mistake.clear();
+    printed_mistake.clear();
     StateKeeper& keeper = *kept;
     fresh = false;
     engine_now = engine.get();

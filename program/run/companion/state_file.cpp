@@ -90,7 +90,7 @@ void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
 }
 
 void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
-  std::error_code failed;  // then it is written over
+  std::error_code failed;  // on failure the file is overwritten
   if (std::exchange(is_of_another_, false)) std::filesystem::rename(file_, aside(), failed);
   writing_.start([bytes = bytes_of(engine, companion), file = file_] {
     require_no_link(file);
@@ -106,7 +106,7 @@ std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::strin
   if (!is_of_another_) return engine;
   std::string why_not_aside;
   engine = read(aside(), companion, why_not_aside);
-  is_of_another_ = true;  // whatever lies aside
+  is_of_another_ = true;  // whatever the second file contains
   if (engine) why_not.clear();
   return engine;
 }

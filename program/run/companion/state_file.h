@@ -32,9 +32,8 @@ class StateKeeper {
   /// Saves the final state when the run ends.
   void finish(const FrameLoop& engine, Companion& companion);
 
-  /// An engine that goes on, and a companion that knows it. Nothing: there is no such file, or `why_not` says in a few
-  /// words what it is instead. What another robot knew is put aside with the first that is saved, as FILE.other, and
-  /// looked for there.
+  /// Restores an engine, and a companion with its handshake. Nothing: the file is missing, or `why_not` contains a
+  /// short reason. The first save moves the state of another robot to FILE.other, where it is searched, too.
   std::unique_ptr<FrameLoop> restore(Companion& companion, std::string& why_not);
 
  private:
@@ -45,9 +44,9 @@ class StateKeeper {
 
   std::filesystem::path file_;
   std::string circumstances_;
-  bool is_of_another_ = false;  // what is in the file, and has not been put aside yet
-  double last_ = -1e9;          // s, when it was kept
-  bool is_urgent_ = false;      // since then
+  bool is_of_another_ = false;  // the file contains another robot's state, which has not been moved yet
+  double last_ = -1e9;          // s, time of the last save
+  bool is_urgent_ = false;      // a save was urgent since then
   BackgroundWriting writing_;
 };
 

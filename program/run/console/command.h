@@ -15,8 +15,8 @@ namespace reorient {
 
 using Words = std::vector<std::string>;
 
-/// The answer of a command, as whole lines. It is called after each frame, beginning with its own; nothing: it waits
-/// for a later frame. If it throws std::runtime_error, that message is printed instead.
+/// The answer of a command, as whole lines. Called after each frame, beginning with the frame of the command; nothing:
+/// wait for a later frame. If it throws std::runtime_error, the message is printed instead.
 using Reply = std::function<std::optional<std::string>(const FrameRecord& frame, const SceneTruth& scene)>;
 
 /// An answer that does not depend on a frame.

@@ -14,7 +14,7 @@
 namespace reorient {
 namespace {
 
-/// How many arguments a command takes at least and at most.
+/// The smallest and the largest number of arguments of a command.
 std::pair<std::size_t, std::size_t> argument_counts(std::string_view arguments) {
   std::istringstream in{std::string(arguments)};
   std::size_t least = 0, most = 0;

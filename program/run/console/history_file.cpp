@@ -19,13 +19,13 @@
 namespace reorient {
 namespace {
 
-constexpr off_t kLargest = 64 * 1024;  // bytes that are looked at, from the end
+constexpr off_t kLargest = 64 * 1024;  // bytes that are read, from the end
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
   throw std::runtime_error("'" + file.string() + "': " + why);
 }
 
-/// The end of a plain file. Opened so that neither a link is followed nor a pipe waited for.
+/// The end of a plain file. Opened without following links and without waiting for a pipe.
 std::string read_end(const std::filesystem::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0 && errno == ENOENT) return {};

@@ -11,10 +11,10 @@ constexpr std::size_t kLongestSequence = 16;
 
 bool is_in(char letter, char first, char last) { return letter >= first && letter <= last; }
 
-/// How many bytes the escape sequence at the beginning has; 0: more must come to know.
+/// Length of the escape sequence at the beginning in bytes; 0: more bytes are needed to determine it.
 std::size_t sequence_length(std::string_view bytes) {
   if (bytes.size() < 2) return 0;
-  if (static_cast<unsigned char>(bytes[1]) < ' ') return 1;  // the Escape key, and behind it another
+  if (static_cast<unsigned char>(bytes[1]) < ' ') return 1;  // the Escape key, followed by another key
   if (bytes[1] == 'O') return bytes.size() < 3 ? 0 : 3;
   if (bytes[1] != '[') return 2;
   std::size_t end = 2;
@@ -24,7 +24,7 @@ std::size_t sequence_length(std::string_view bytes) {
   return is_in(bytes[end], '@', '~') ? end + 1 : end;
 }
 
-/// How many bytes a letter has that begins so, if it is one.
+/// Number of bytes of the UTF-8 letter that begins with this byte.
 std::size_t letter_length(char first) {
   const auto code = static_cast<unsigned char>(first);
   return code < 0xC0 ? 1 : code < 0xE0 ? 2 : code < 0xF0 ? 3 : 4;

@@ -20,7 +20,7 @@ class KeyQueue {
   void add(std::string_view bytes) { bytes_ += bytes; }
   /// Nothing if no key is complete yet.
   std::optional<std::string> next();
-  /// The incomplete key, when its rest does not arrive: the Escape key alone sends only ESC.
+  /// Takes the incomplete key if its rest does not arrive: the Escape key alone sends only ESC.
   void drop_begun() { bytes_.clear(); }
   bool empty() const { return bytes_.empty(); }
 

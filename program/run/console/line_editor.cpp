@@ -31,8 +31,9 @@ struct Binding {
   const char* command;  ///< of libedit
 };
 
-/// Sequences are those that terminals send for the keys beside the letters. Others are left out: libedit would type
-/// their ends. Commands of libedit that would wait for another key are replaced or taken away: nothing here may wait.
+/// The sequences that terminals send for other keys than letters. Unknown sequences are dropped, because libedit would
+/// insert their last characters. Commands of libedit that wait for another key are replaced or removed, because
+/// nothing may block here.
 constexpr Binding kBindings[] = {
     {"\x1B[A", "ed-prev-history"},      {"\x1BOA", "ed-prev-history"},       {"\x1B[B", "ed-next-history"},
     {"\x1BOB", "ed-next-history"},      {"\x1B[C", "ed-next-char"},          {"\x1BOC", "ed-next-char"},
@@ -57,7 +58,7 @@ std::size_t line_length(EditLine* editor) {
   return static_cast<std::size_t>(line.lastchar - line.buffer);
 }
 
-/// In rows of a terminal.
+/// Height in rows of the terminal.
 int rows_above_cursor(EditLine* editor, int columns) {
   const LineInfoW& line = *el_wline(editor);
   int width = kPromptWidth;
@@ -98,18 +99,18 @@ LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std:
       editor_(nullptr, el_end),
       keys_(bound_keys()) {
   editor_.reset(el_init_fd("reorient", stdin, stdout, stderr, descriptor, STDOUT_FILENO, STDERR_FILENO));
-  if (!editor_ || !history_) throw std::runtime_error("this terminal cannot be used to edit lines");
+  if (!editor_ || !history_) throw std::runtime_error("line editing is not possible on this terminal");
   HistEvent event;
   ::history(history_.get(), &event, H_SETSIZE, static_cast<int>(kMostHistory));
   ::history(history_.get(), &event, H_SETUNIQUE, 1);
   el_set(editor_.get(), EL_CLIENTDATA, this);
   el_set(editor_.get(), EL_EDITOR, "emacs");
-  el_set(editor_.get(), EL_SIGNAL, 0);  // Interruption and TerminalGuard have them
+  el_set(editor_.get(), EL_SIGNAL, 0);  // Interruption and TerminalGuard handle signals
   el_set(
       editor_.get(), EL_PROMPT, +[](EditLine*) { return const_cast<char*>(kPrompt); });
   el_set(editor_.get(), EL_HIST, ::history, history_.get());
   el_wset(editor_.get(), EL_GETCFN, &LineEditor::next_letter);
-  // With narrow strings libedit would make wide ones and never free them.
+  // With narrow strings libedit would allocate wide strings and never free them.
   el_wset(editor_.get(), EL_ADDFN, L"reorient-complete", L"complete the word", &LineEditor::complete_word);
   for (const Binding& binding : kBindings) el_set(editor_.get(), EL_BIND, binding.keys, binding.command, nullptr);
   load_history();
@@ -117,7 +118,7 @@ LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std:
 
 LineEditor::~LineEditor() {
   close();
-  // In the background the terminal is not ours to be set once more.
+  // A process in the background must not set the terminal.
   if (!is_in_foreground(descriptor_)) static_cast<void>(editor_.release());
 }
 
@@ -157,7 +158,7 @@ LineEditor& LineEditor::of(EditLine* editor) {
   return *static_cast<LineEditor*>(self);
 }
 
-/// 0: no key; libedit takes it as the end of the input and returns.
+/// Returns 0 without a key, which libedit treats as the end of the input.
 int LineEditor::next_letter(EditLine* editor, wchar_t* letter) {
   std::string& key = of(editor).key_;
   std::mbstate_t state{};
@@ -187,7 +188,7 @@ void LineEditor::read_keys() {
     const ssize_t count = read(descriptor_, buffer.data(), buffer.size());
     if (count > 0) keys_.add({buffer.data(), static_cast<std::size_t>(count)});
     late_ = 1;
-  } else if (++late_ > 3) {  // frames: what a terminal sends for one key comes at once
+  } else if (++late_ > 3) {  // frames; the bytes of one key arrive together
     keys_.drop_begun();
   }
   if (keys_.empty()) late_ = 0;
@@ -228,12 +229,12 @@ unsigned char LineEditor::complete() {
   for (std::string one; in >> one;) before.push_back(one);
   try {
     fitting = candidates_(before);
-  } catch (const std::exception&) {  // the scripts' folder is gone, say
+  } catch (const std::exception&) {  // for example if the folder of scripts was removed
   }
   std::erase_if(fitting, [&](const std::string& name) { return !name.starts_with(word); });
   if (fitting.empty()) return CC_ERROR;
   std::string rest = common_beginning(fitting).substr(word.size());
-  while (!is_utf8(rest)) rest.pop_back();  // where names differ within a letter
+  while (!is_utf8(rest)) rest.pop_back();  // if names differ within a letter
   if (fitting.size() == 1) rest += ' ';
   if (rest.empty()) {
     list(fitting);

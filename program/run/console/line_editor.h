@@ -30,10 +30,10 @@ class LineEditor {
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// Whether lines can be edited there at all.
+  /// Whether lines can be edited on this terminal.
   static bool is_possible(int descriptor);
 
-  /// Takes what was typed since the last call, up to the end of a line. Never blocks.
+  /// Reads the input since the last call, up to the end of a line. Never blocks.
   Typed poll();
 
   /// Shows the prompt with the text typed so far; a new line if the last one was ended.

@@ -24,7 +24,7 @@ Typed LineReader::poll() {
   return {take_line(), closed};
 }
 
-/// Whether a terminal was closed: by Ctrl-D, which does not last.
+/// Whether the terminal was closed by Ctrl-D, which ends only one read.
 bool LineReader::read_some() {
   std::array<char, 4096> buffer;
   const ssize_t count = read(descriptor_, buffer.data(), buffer.size());

@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// Bytes. A longer line is not a command.
+/// Largest length of a command in bytes.
 inline constexpr std::size_t kLongestLine = 1000;
 
 /// The input since the last call.
@@ -17,7 +17,7 @@ struct Typed {
   bool closed = false;              ///< of a terminal: by Ctrl-D on an empty line
 };
 
-/// Reads from a file descriptor without ever blocking, and little at a time, so that much input does not delay the
+/// Reads from a file descriptor without blocking, and a small part at a time, so that much input does not delay the
 /// robot.
 class LineReader {
  public:
@@ -32,7 +32,7 @@ class LineReader {
 
   int descriptor_;
   std::string read_;       ///< read, but not yet returned
-  bool too_long_ = false;  ///< the rest of an endless line is dropped
+  bool too_long_ = false;  ///< the rest of a line without an end is dropped
   bool ended_ = false;     ///< at the end of the input
 };
 

@@ -53,7 +53,7 @@ std::optional<std::string> LiveConsole::next_line() {
 }
 
 void LiveConsole::take_line(const std::string& line, FrameInputs& inputs) {
-  // A terminal shows what is typed; what comes from elsewhere is shown here, so that it reads the same.
+  // A terminal echoes typed input; print other input here, so that the output is the same.
   if (std::exchange(is_prompted_, false) && isatty(descriptor_) != 1) out_ << printable(line) << "\n";
   const Words words = words_of(line);
   if (!words.empty()) {

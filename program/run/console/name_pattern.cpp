@@ -10,7 +10,7 @@
 namespace reorient {
 
 bool matches(std::string_view pattern, std::string_view name) {
-  // A star that was met takes one letter more whenever what stands behind it does not fit.
+  // If the rest of the pattern does not match, the last star consumes one more letter.
   std::size_t p = 0, n = 0, star = std::string_view::npos, taken = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

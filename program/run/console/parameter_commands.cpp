@@ -31,7 +31,7 @@ const Parameter& named(const std::vector<Parameter>& parameters, const std::stri
   return *found;
 }
 
-std::string told(const ParameterOutcome& outcome) {
+std::string outcome_text(const ParameterOutcome& outcome) {
   if (outcome.value.empty()) return outcome.name + " is fixed during a run; set it with --set";
   return outcome.refusal.empty() ? outcome.name + " = " + outcome.value : outcome.refusal;
 }
@@ -68,9 +68,9 @@ Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::
     for (const ParameterOutcome& one : frame.parameter_changes) {
       if (one.name == name) outcome = one;
     }
-    if (known) outcome = *known;  // the engine may not even have it
+    if (known) outcome = *known;  // the engine may not have this parameter
     if (!outcome.value.empty() && outcome.refusal.empty()) done();
-    return "  " + printable(told(outcome)) + "\n";
+    return "  " + printable(outcome_text(outcome)) + "\n";
   };
 }
 

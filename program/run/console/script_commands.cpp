@@ -41,11 +41,11 @@ std::string dwell_text(double so_far, double needed) {
   return std::isnan(needed) ? fmt::format("{:.1f} s", so_far) : fmt::format("{:.1f} of {:.1f} s", so_far, needed);
 }
 
-/// "yes, 0.3 of 0.5 s": what its condition said, for how long of how long, and the time since its state was entered.
+/// "yes, 0.3 of 0.5 s": result of the condition, its dwell time so far, and the time since its state was entered.
 std::string progress_text(const OpenCondition& condition) {
-  constexpr const char* kSaid[] = {"", "not asked yet", "no", "yes", "failed"};
-  static_assert(std::size(kSaid) == enum_count(WhenValue()));
-  std::string text = kSaid[static_cast<std::size_t>(condition.when)];
+  constexpr const char* kResults[] = {"", "not evaluated yet", "no", "yes", "failed"};
+  static_assert(std::size(kResults) == enum_count(WhenValue()));
+  std::string text = kResults[static_cast<std::size_t>(condition.when)];
   if (condition.lasting != 0.0) text += ", " + dwell_text(condition.held, condition.lasting);
   if (condition.after != 0.0)
     text += (text.empty() ? "after " : ", after ") + dwell_text(condition.waited, condition.after);
@@ -78,7 +78,7 @@ const MachineStatus* find(const std::vector<MachineStatus>& machines, const Name
   return nullptr;
 }
 
-/// "behaviors/orientation.lua" as a person calls it: "orientation".
+/// The short name of a script: "orientation" for "behaviors/orientation.lua".
 std::string script_name(const std::string& file) {
   const std::size_t begin = file.find('/') + 1;  // of npos: 0
   return file.substr(begin, file.rfind(".lua") - begin);
@@ -99,7 +99,7 @@ Reply ScriptCommands::why(const std::string& machine) const {
     if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
       return why_text(*status, frame.conditions, *frame.names, now);
     const MachineStatus* const status = find(scene.scenario.machines, *scene.scenario.names, machine);
-    if (status == nullptr || scenario_ == nullptr) return "  it no longer exists\n";
+    if (status == nullptr || scenario_ == nullptr) return "  this machine no longer exists\n";
     std::vector<OpenCondition> conditions;
     scenario_->host().read_conditions(conditions);
     return why_text(*status, conditions, *scene.scenario.names, now);

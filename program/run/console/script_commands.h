@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands of the prompt for behaviors and the scenario: their states, why they are in them, and a reload.
+// Commands of the prompt for behaviors and the scenario: their states, their transitions, and reloads.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,11 @@ class ScriptCommands {
   /// `scenario` may be nullptr; `root`: the folder of the scripts.
   ScriptCommands(ScenarioHost* scenario, std::filesystem::path root);
 
-  /// Every machine with its state and what it costs: needs Topic::costs.
+  /// All machines with state and cost; needs Topic::costs.
   static Reply states();
-  /// The transitions that this machine may take: needs Topic::conditions.
+  /// The transitions that this machine may take; needs Topic::conditions.
   Reply why(const std::string& machine) const;
-  /// Reads scripts again, also those that did not change; an empty name: all.
+  /// Reloads scripts, also unchanged ones; an empty name: all.
   Reply reload(const std::string& name, FrameInputs& inputs) const;
 
   /// The names of all machines, for completion.

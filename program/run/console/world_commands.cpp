@@ -13,10 +13,10 @@
 namespace reorient {
 namespace {
 
-constexpr double kPause = 0.5;       // s between two lines about one value
+constexpr double kPause = 0.5;       // s between two lines of one value
 constexpr double kTolerance = 1e-6;  // s: frame times are sums of rounded steps
 
-/// As a person reads it: "upright", "1.250 m".
+/// The value for the user: "upright", "1.250 m".
 std::string value_text(const WorldField& field, double value) {
   if (std::isnan(value)) return "not known";
   if (field.type == WorldField::Type::boolean) return value != 0.0 ? "true" : "false";
@@ -51,7 +51,7 @@ Reply WorldCommands::look(const std::string& pattern) const {
 
 Reply WorldCommands::watch(const std::string& pattern) {
   if (pattern.empty() && watched_.empty())
-    return at_once("  no watched values; write: watch NAME, as in: watch confidence.current\n");
+    return at_once("  no watched values; expected: watch NAME, as in: watch confidence.current\n");
   const std::vector<std::size_t> fields =
       pattern.empty() ? std::vector<std::size_t>() : pick(pattern, names_, "world value");
   for (const std::size_t field : fields) {
@@ -61,9 +61,9 @@ Reply WorldCommands::watch(const std::string& pattern) {
   return [this](const FrameRecord& frame, const SceneTruth&) {
     std::string text;
     for (Watched& one : watched_) {
-      one.told = value_text(frame.world, one.field);
-      one.told_at = frame.world.time;
-      text += fmt::format("  {:.2f} s  {} = {}\n", one.told_at, names_[one.field], one.told);
+      one.printed = value_text(frame.world, one.field);
+      one.printed_at = frame.world.time;
+      text += fmt::format("  {:.2f} s  {} = {}\n", one.printed_at, names_[one.field], one.printed);
     }
     return text;
   };
@@ -84,12 +84,12 @@ Reply WorldCommands::unwatch(const std::string& pattern) {
 std::string WorldCommands::changes(const World& world) {
   std::string text;
   for (Watched& one : watched_) {
-    if (world.time - one.told_at + kTolerance < kPause) continue;
+    if (world.time - one.printed_at + kTolerance < kPause) continue;
     std::string now = value_text(world, one.field);
-    if (now == one.told) continue;
-    one.told = std::move(now);
-    one.told_at = world.time;
-    text += fmt::format("  {:.2f} s  {} = {}\n", one.told_at, names_[one.field], one.told);
+    if (now == one.printed) continue;
+    one.printed = std::move(now);
+    one.printed_at = world.time;
+    text += fmt::format("  {:.2f} s  {} = {}\n", one.printed_at, names_[one.field], one.printed);
   }
   return text;
 }

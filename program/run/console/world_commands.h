@@ -29,9 +29,9 @@ class WorldCommands {
 
  private:
   struct Watched {
-    std::size_t field;     ///< of world_fields()
-    std::string told;      ///< as it was told last
-    double told_at = 0.0;  ///< s
+    std::size_t field;        ///< of world_fields()
+    std::string printed;      ///< as it was printed last
+    double printed_at = 0.0;  ///< s
   };
 
   Words names_;  ///< of world_fields()

@@ -20,7 +20,7 @@ void wait_for(double seconds, std::span<const int> descriptors) {
   poll(waits.data(), count, static_cast<int>(1000.0 * seconds));
 }
 
-/// What the robot waits for, and how to fix it.
+/// The missing part of the robot, and how to fix it.
 std::string description_of(nao::Missing missing) {
   using nao::Missing;
   switch (missing) {
@@ -59,7 +59,7 @@ nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over,
   return around;
 }
 
-/// Where nothing new is in it for a second, it is looked for again: the file may be another one by now.
+/// Opens the shared memory again if it has no new data for a second, because the file may have been replaced.
 nao::SharedBody* NaoHardware::guards_memory(double now) {
   constexpr double kPause = 1.0;  // s
   if (body_ != nullptr && body_->measured != measured_) {
@@ -68,7 +68,7 @@ nao::SharedBody* NaoHardware::guards_memory(double now) {
   }
   if (now >= next_look_) {
     next_look_ = now + kPause;
-    body_ = nullptr;  // that mapping ends, whether there is another or not
+    body_ = nullptr;  // the mapping ends in any case
     mapped_.emplace(guard_, nao::MappedBody::Side::engine);
     body_ = *mapped_ ? &**mapped_ : nullptr;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a NAO is in this process: the guard's memory, two cameras, the referee's port, the clock that they share.
+// The parts of a NAO in this process: the guard's memory, two cameras, the referee's port, and their common clock.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ namespace reorient {
 class NaoHardware {
  public:
   struct Options {
-    std::filesystem::path guard;  ///< the memory that it shares; empty: where it does by itself
+    std::filesystem::path guard;  ///< its shared memory; empty: its default
     bool both_cameras = false;
     bool hears_referee = false;
   };
-  /// Throws std::runtime_error with one line where the referee's port cannot be had.
+  /// Throws std::runtime_error with one line if the referee's port cannot be opened.
   explicit NaoHardware(const Options& options);
 
-  /// Valid as long as this. `tell`: what has been missing for a while, and how to fix it; each once.
+  /// Valid as long as this object. `tell`: called once for each part that is missing for a while, with the fix.
   nao::NaoSurroundings surroundings(std::function<bool()> is_over, std::function<void(const std::string&)> tell);
 
  private:

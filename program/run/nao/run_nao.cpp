@@ -31,7 +31,7 @@ namespace {
 
 using nao::Nao;
 
-/// Tells where the robot stands: once it stands, and whenever the referee says that everybody is at his place.
+/// Sets the pose of the robot when it stands, and whenever the referee sends that all players are at their positions.
 class StartPlace : public InputSource {
  public:
   StartPlace(std::optional<Pose2> now, std::optional<Pose2> initially, const Nao& robot, const FrameLoop& engine)
@@ -81,7 +81,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
     mounting = mounting_of(calibration);
   }
   robot_options.body = load_body(body_file(options.body));
-  // LoLA has neither, and we do not bring them.
+  // LoLA provides neither, and this program contains neither.
   if (!options.walk) robot_options.body.gait.reset();
   robot_options.body.get_up_time.reset();
   robot_options.width = options.width;

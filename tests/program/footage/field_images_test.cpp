@@ -61,7 +61,7 @@ TEST(FieldImages, ThatCannotBeUsedAreReported) {
                       "found 6147"),
             std::string::npos);
   EXPECT_NE(complaint(other.string(), labels.string()).find("expected images with labels in"), std::string::npos);
-  EXPECT_NE(complaint("missing.png", labels.string()).find("expected an image, found no readable file"),
+  EXPECT_NE(complaint("missing.png", labels.string()).find("expected a readable image file, found none"),
             std::string::npos);
   EXPECT_NE(complaint(image.string(), broken.string()).find("b.toml:1: images: expected one or more tables"),
             std::string::npos);

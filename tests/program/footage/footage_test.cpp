@@ -125,7 +125,8 @@ TEST_F(Footage, EndsAtAMissingImageAndKeepsTheFramesBefore) {
     const ProgramRun ended = run({"--frames", table, "--wall", wall, "--record", file("run.mcap")});
     EXPECT_EQ(ended.code, kBadInput) << wall;
     EXPECT_NE(ended.err.find("images/none.png: expected the image of"), std::string::npos) << wall << ended.err;
-    EXPECT_NE(ended.out.find("wrong: the rest of the footage cannot be read"), std::string::npos) << wall << ended.out;
+    EXPECT_NE(ended.out.find("wrong: the footage could not be read to its end"), std::string::npos)
+        << wall << ended.out;
     const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
     EXPECT_EQ(replayed.code, 0) << wall;
     EXPECT_EQ(digest_of(replayed), digest_of(ended)) << wall;
@@ -175,10 +176,11 @@ TEST_F(Footage, WithoutAPoseIsNotJudgedAndReportsUnusedColumns) {
   const ProgramRun lost =
       run({"--json", file("run.json"), "--frames", table_with("x_m,y_m,rotation_rad", "pos_east,pos_north,theta")});
   EXPECT_EQ(lost.code, 0) << lost.out << lost.err;
-  EXPECT_NE(lost.err.find("beginning at an unknown place; columns that are not used: pos_east, pos_north, theta"),
+  EXPECT_NE(lost.err.find("beginning at an unknown position; columns that are not used: pos_east, pos_north, theta"),
             std::string::npos)
       << lost.err;
-  EXPECT_NE(lost.out.find("not judged: the footage is over after 220 images; it has no true pose"), std::string::npos)
+  EXPECT_NE(lost.out.find("not judged: the footage is over after 220 images; the footage has no true pose"),
+            std::string::npos)
       << lost.out;
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("run.json")))["correct"], nullptr);
 }
@@ -279,7 +281,7 @@ TEST_F(Footage, PrintsForEachFailedTrialTheCommandThatShowsIt) {
       run_reorient({"experiment", "footage", recorded().string(), "--wall", "field", "--learn", "20", "--watch", "5",
                     "--starts", "2", "--behaviors", "background_training", "--scripts", scripts, "--out", file("out")});
   ASSERT_EQ(tried.code, 0) << tried.err;
-  EXPECT_NE(tried.out.find("Trials that went wrong"), std::string::npos);
+  EXPECT_NE(tried.out.find("Failed trials. A command shows"), std::string::npos);
   EXPECT_NE(tried.out.find("\n  20 s, image images/0100.png: not found; evidence "), std::string::npos) << tried.out;
   EXPECT_NE(tried.out.find("\n0 of 6 mirrored poses were found (0.0 %); 0 of 6 right poses were flipped (0.0 %)\n"),
             std::string::npos)
