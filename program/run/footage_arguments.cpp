@@ -33,8 +33,8 @@ ColumnHeaders headers_of(const std::vector<std::string>& columns) {
       throw BadFootage("--column: expected NAME=HEADER or NAME=HEADER:UNIT, as in time=stamp:ns, found '" + column +
                        "'");
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw BadFootage("--column: unknown column '" + name + "'" + did_you_mean(name, known) + "; expected " +
-                       list_of(known));
+      throw BadFootage("--column: unknown column '" + name + "'" + did_you_mean(name, known) + " (expected " +
+                       list_of(known) + ")");
     if (!headers.emplace(name, column.substr(equals + 1)).second)
       throw BadFootage("--column: expected different columns, found " + name + " twice");
   }

@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// `interval`: what lies beyond the axis is cut off and ends in an arrow.
+/// `interval`: the part beyond the axis is cut off and ends in an arrow.
 void draw_interval(Markup& out, std::string_view description, const PlotAxis& axis, double value,
                    const Interval& interval, std::string_view style);
 

@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// For text and for attributes in double quotes. Bytes that are no UTF-8, and control characters, are written out.
+/// Escapes text, and attributes in double quotes. Invalid UTF-8 and control characters are escaped, too.
 std::string escaped(std::string_view text);
 
 class Markup {
@@ -17,9 +17,9 @@ class Markup {
   using Attributes = std::initializer_list<std::pair<std::string_view, std::string_view>>;
 
   void text(std::string_view text) { out_ += escaped(text); }
-  /// An element with nothing but a text.
+  /// An element that contains only a text.
   void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
-  /// An element without an end of its own, as HTML's <meta> and SVG's <path>.
+  /// An element without an end tag, such as HTML's <meta> and SVG's <path>.
   void single(std::string_view name, Attributes attributes);
   /// Unchanged, without escapes: for a doctype or a style sheet.
   void raw(std::string_view markup) { out_ += markup; }
@@ -33,7 +33,7 @@ class Markup {
   std::string out_;
 };
 
-/// Open while it lives.
+/// The element is open while this object exists.
 class Element {
  public:
   Element(Markup& out, std::string_view name, Markup::Attributes attributes = {});

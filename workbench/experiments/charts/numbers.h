@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as text for people, independent of the locale.
+// Numbers as text for readers, independent of the locale.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace reorient {
 
-/// With so many digits behind the point; what is not finite is a dash.
+/// With this number of decimal digits; a dash for a number that is not finite.
 std::string fixed(double value, int digits);
 
-/// The same of a number that may be unknown: a dash then.
+/// The same; a dash for an unknown number.
 std::string fixed(const std::optional<double>& value, int digits);
 
 /// A difference: "+1.2", or with a true minus sign.

@@ -16,12 +16,12 @@ struct PlotAxis {
   std::string label;
   double low = 0.0;
   double high = 1.0;
-  int ticks = 5;             ///< about so many
-  bool percent = false;      ///< numbers are shares, and shown in %
+  int ticks = 5;             ///< approximate number
+  bool percent = false;      ///< numbers are fractions, shown in %
   bool logarithmic = false;  ///< both bounds above 0
 };
 
-/// Those of an axis.
+/// The ticks of an axis.
 std::vector<double> ticks(const PlotAxis& axis);
 
 struct PlotPoint {
@@ -29,20 +29,20 @@ struct PlotPoint {
   double y = 0.0;
 };
 
-/// Open while it lives: what is drawn later lies above. What lies beyond the axes is cut off.
+/// Open while this object exists. Later shapes cover earlier ones. Parts beyond the axes are cut off.
 class Plot {
  public:
-  /// `description`: what there is to see, for those who cannot.
+  /// `description`: alternative text for screen readers.
   Plot(Markup& out, std::string_view description, const PlotAxis& x, const PlotAxis& y, bool square = false);
 
   void line(const std::vector<PlotPoint>& points, std::string_view style);
-  /// Between two lines of equally many points.
+  /// The area between two lines with the same number of points.
   void band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high, std::string_view style);
-  /// A stretch of the abscissa, over the whole height.
+  /// An interval of the abscissa, over the whole height.
   void stretch(double from, double to, std::string_view style);
-  /// An upright line with a word at its top.
+  /// A vertical line with a word at its top.
   void moment(double x, std::string_view word);
-  /// A short stroke across the end of a line: what comes behind is not known.
+  /// A short stroke across the end of a line: the curve is unknown beyond it.
   void end_mark(const PlotPoint& point, std::string_view style);
 
  private:

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kSlack = 1e-9;  // of a step: bounds that are ticks but for rounding
+constexpr double kSlack = 1e-9;  // of a step: bounds that are ticks except for rounding
 
 double step_of(double span, int wanted) {
   const double rough = span / std::max(1, wanted);
@@ -37,7 +37,7 @@ std::vector<double> ticks(double low, double high, int wanted) {
 }
 
 std::vector<double> logarithmic_ticks(double low, double high) {
-  // Over more than three decades numbers between the powers of ten would run into each other.
+  // Over more than three decades, labels between the powers of ten would overlap.
   const bool is_long = high > 1000.0 * low;
   std::vector<double> all;
   for (double power = pinned::pow(10.0, std::floor(pinned::log10(low))); power <= high; power *= 10.0) {

@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
-// From numbers to places on paper.
+// Converts numbers to positions in a drawing.
 #pragma once
 
 #include <vector>
 
 namespace reorient {
 
-/// Linear, or logarithmic. Places may run backwards, as those of an ordinate do.
+/// Linear or logarithmic. Positions may decrease, as those of an ordinate do.
 struct Scale {
   double low = 0.0;    ///< number
-  double high = 1.0;   ///< another one
-  double begin = 0.0;  ///< place of `low`
-  double end = 1.0;    ///< place of `high`
+  double high = 1.0;   ///< number
+  double begin = 0.0;  ///< position of `low`
+  double end = 1.0;    ///< position of `high`
   bool logarithmic = false;
 
   double operator()(double number) const;
 };
 
-/// About `wanted` of 1, 2 or 5 times a power of ten, all within the bounds; `low` < `high`.
+/// About `wanted` ticks at 1, 2 or 5 times a power of ten, all within the bounds; `low` < `high`.
 std::vector<double> ticks(double low, double high, int wanted);
 
 /// 1, 2 and 5 times powers of ten within the bounds, 0 < `low` < `high`.
 std::vector<double> logarithmic_ticks(double low, double high);
 
-/// How many decimal digits distinguish such ticks.
+/// Number of decimal digits that distinguish such ticks.
 int tick_digits(const std::vector<double>& ticks);
 
-/// The least bound from `high` > 0 on that is a tick itself.
+/// The smallest bound that is a tick and at least `high` > 0.
 double round_up_to_tick(double high, int wanted);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a trial is, all but its seed: plain data, so that an experiment is a file.
+// All of a trial except its seed: plain data, so that an experiment can be a file.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ using SaidAt = std::map<std::string, std::string>;
 
 struct Condition {
   std::string scenario;
-  std::vector<std::string> with;             ///< behaviors beside those that the scenario lists
+  std::vector<std::string> with;             ///< behaviors in addition to those that the scenario lists
   std::vector<std::string> without;          ///< of those that the scenario lists
   std::vector<std::string> parameter_files;  ///< read one after the other
   std::vector<ParameterChange> parameters;   ///< applied after the files
@@ -39,12 +39,12 @@ struct Condition {
   SaidAt said_at;  ///< for messages
 };
 
-/// All of it, a line for each value, always in the same order: equal conditions have equal texts.
+/// The whole condition, a line for each value in a fixed order: equal conditions have equal texts.
 std::string as_text(const Condition& condition);
 
-/// Part of a condition: what it holds is changed or added.
+/// Part of a condition: its values are changed or added.
 struct ConditionPatch {
-  std::vector<ConditionPatch> first;  ///< applied before it: of condition files that it names
+  std::vector<ConditionPatch> first;  ///< applied before it: from the condition files that it names
   std::optional<std::string> scenario;
   std::vector<std::string> with;
   std::vector<std::string> without;
@@ -81,10 +81,10 @@ struct Axis {
   std::vector<std::string> usual{};  ///< choices used if no others are requested; empty: all
 };
 
-/// What the columns mean_s, median_s and p90_s are of.
+/// The time that the columns mean_s, median_s and p90_s contain.
 enum class TimeOf {
   command,  ///< until the command that corrects the belief: the paper's measure
-  belief,   ///< until the belief is right, and stays
+  belief,   ///< until the belief is right and stays right
 };
 
 /// A condition that is varied along axes, one or more trials for each combination of choices.
@@ -95,28 +95,28 @@ struct Experiment {
   int trials = 20;  ///< of each cell
   TimeOf times = TimeOf::command;
   ConditionPatch base;
-  std::vector<ConditionPatch> alternates;  ///< each cell's trials take turns with these
+  std::vector<ConditionPatch> alternates;  ///< the trials of each cell use these in turn
   std::vector<Axis> axes;
   std::vector<Reference> references;
 };
 
-/// Whether it stands beside a cell of these choices, one for each axis.
+/// Whether it belongs to a cell with these choices, one for each axis.
 bool belongs_to(const Reference& reference, const Experiment& experiment, const std::vector<std::string>& choices);
 
-/// Leaves only these choices of the axis of this name. `otherwise` makes a choice of an unknown name, or
-/// refuses it. Throws std::runtime_error with one line if the axis is unknown.
+/// Keeps only these choices of the axis. `otherwise` creates the choice of an unknown name, or refuses it. Throws
+/// std::runtime_error with one line if the axis is unknown.
 void choose(Experiment& experiment, const std::string& axis, const std::vector<std::string>& names,
             const std::function<AxisChoice(const Axis& axis, const std::string& name)>& otherwise);
 
-/// Without the choices that are not usual.
+/// The experiment with the usual choices only.
 Experiment with_usual_choices(Experiment experiment);
 
-/// One combination.
+/// One combination of choices.
 struct Cell {
   std::vector<std::string> choices;  ///< one for each axis, in their order
   Condition condition;
 };
-/// All of them, the last axis varying fastest. Throws std::runtime_error with one line where they are too many.
+/// All cells; the last axis varies fastest. Throws std::runtime_error with one line if there are too many.
 std::vector<Cell> cells_of(const Experiment& experiment);
 
 }  // namespace reorient

@@ -64,7 +64,7 @@ class ExperimentReader {
     return experiment;
   }
 
-  /// The file is nothing but a condition.
+  /// A file that contains only a condition.
   ConditionPatch read_condition(const toml::table& table) const { return read_patch(table, {}); }
 
  private:
@@ -95,7 +95,7 @@ class ExperimentReader {
     }
   }
 
-  /// A TOML table forgets the order in which it was written.
+  /// Restores the order of the axes, because a TOML table does not store the order of its keys.
   static void sort_choices(Reference& reference, const std::vector<Axis>& axes) {
     const auto place = [&axes](const std::string& name) {
       return std::find_if(axes.begin(), axes.end(), [&name](const Axis& axis) { return axis.name == name; });
@@ -152,7 +152,7 @@ class ExperimentReader {
 
   using NameReader = std::function<void(const TableReader&, const std::string& key, const toml::node& value)>;
 
-  /// `name`: what reads the key "name", where there is one.
+  /// `name`: reads the key "name"; empty: the key is unknown.
   ConditionPatch read_patch(const toml::table& table, const NameReader& name) const {
     constexpr double kDay = 86'400.0;  // s
     ConditionPatch patch;

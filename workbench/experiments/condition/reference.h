@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published results, shown beside our rows.
+// Published results, shown beside the rows of this project.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,9 @@ namespace reorient {
 
 /// The published values of a row; fractions from 0 to 1.
 struct Reference {
-  std::string label;                                         ///< "paper, real robot"
-  std::vector<std::pair<std::string, std::string>> choices;  ///< axis and choice: the rows that it belongs to
+  std::string label;  ///< "paper, real robot"
+  std::vector<std::pair<std::string, std::string>>
+      choices;  ///< axis and choice: selects the rows beside which it is shown
   std::optional<int> trials;
   std::optional<double> flip;
   std::optional<double> purge;

@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// Throws std::runtime_error with one line: file, line, why.
+/// Throws std::runtime_error with one line: file, line, reason.
 std::vector<Reference> read_references(const TableReader& in, const toml::array& tables, const std::string& file);
 
 }  // namespace reorient

@@ -37,7 +37,7 @@ std::size_t nearest(const Place& place, const std::vector<Place>& centers) {
   return best;
 }
 
-/// Each drawn with a chance that grows with the square of its distance from those drawn before.
+/// Draws each center with a probability proportional to the squared distance from the centers drawn before.
 std::vector<Place> first_centers(const std::vector<Place>& places, std::size_t count, Random& random) {
   std::vector<Place> centers{places[random.below(places.size())]};
   std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());

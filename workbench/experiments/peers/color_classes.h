@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A handful of colors that are typical of a room, found by k-means, and which of them a pixel is nearest to.
+// Typical colors of a room, found by k-means, and the nearest one of a pixel.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace reorient {
 
 class ColorClasses {
  public:
-  /// Lloyd's algorithm from k-means++ (Arthur and Vassilvitskii 2007). At most 64 classes. Where there are fewer
-  /// different colors than classes, some classes stay empty. Chroma counts `chroma` times as much as luma.
+  /// Lloyd's algorithm from k-means++ (Arthur and Vassilvitskii 2007). At most 64 classes. With fewer different
+  /// colors than classes, some classes stay empty. Chroma has `chroma` times the weight of luma.
   static ColorClasses of(std::span<const Ycbcr> colors, int classes, double chroma, std::uint64_t seed);
 
   int count() const { return count_; }
-  /// The class of a color, to within 8 levels.
+  /// The class of a color, with a resolution of 8 levels.
   int operator()(const Ycbcr& color) const { return table_[cell_of(color)]; }
 
  private:
-  static constexpr int kShift = 3;  // levels of a cell: 8
+  static constexpr int kShift = 3;  // 2^3 = 8 levels in a cell
   static constexpr int kCells = 256 >> kShift;
   static std::size_t cell_of(const Ycbcr& color) {
     return static_cast<std::size_t>(((color.y >> kShift) * kCells + (color.cb >> kShift)) * kCells +
@@ -32,14 +32,14 @@ class ColorClasses {
   std::vector<std::uint8_t> table_;
 };
 
-/// Over which time the mean color of the room runs, so that its light can be taken off: none where `memory` is 0, as
-/// in methods that know no light.
+/// A running mean of the room's color over `memory` seconds, to remove the light. With 0 colors are unchanged, as in
+/// methods without a model of light.
 class RunningLight {
  public:
-  /// A pixel of the room. All of a frame, then next_frame().
+  /// Adds a pixel of the room. Call for all pixels of a frame, then next_frame().
   void add(const Ycbcr& color);
   void next_frame(double time, double memory);
-  /// A color as it would be where the mean is a medium gray.
+  /// The color if the mean were a medium gray.
   Ycbcr without_light(const Ycbcr& color) const;
   bool is_known() const { return known_; }
   double luma() const { return luma_; }

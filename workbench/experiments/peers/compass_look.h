@@ -22,14 +22,14 @@ inline constexpr std::array<double, 3> kLookTimes{0.0, 1.0, 3.0};
 struct CompassScores {
   std::array<double, kLookTimes.size()> if_right{};      ///< of a belief that is right
   std::array<double, kLookTimes.size()> if_reflected{};  ///< of the reflection of that belief
-  /// 1: by then its own rule has flipped the pose; 0: it has not, or no rule is known.
+  /// 1: its own rule has flipped the pose by then; 0: it has not, or no rule is known.
   std::array<double, kLookTimes.size()> flips_if_right{};
   std::array<double, kLookTimes.size()> flips_if_reflected{};
 };
-/// One stretch of looking about, by method.
+/// One period of looking around, by method.
 using CompassLook = std::array<CompassScores, kCompassMethods.size()>;
 
-/// Its numbers in their order, to be read or written.
+/// Visits its numbers in a fixed order, for reading and writing.
 template <typename Visit, typename Look>
 void visit_scores(Visit&& visit, Look& look) {
   for (auto& scores : look) {

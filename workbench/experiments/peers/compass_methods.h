@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every method that is compared, made from its parameters.
+// All compared methods, created from their parameters.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace reorient {
 
-/// How all methods learn and are evaluated.
+/// Parameters of learning and evaluation for all methods.
 struct ComparisonParameters {
   double learn_mirrored = 0.0;
   double mirrored_after = 0.0;
@@ -32,7 +32,7 @@ void describe(ComparisonParameters& p, Visit&& visit) {
 struct CompassParameters {
   ComparisonParameters comparison;
   RoomParameters room;        ///< of room awareness
-  RoomParameters room_paper;  ///< of the recipe as it was published
+  RoomParameters room_paper;  ///< of the published recipe
   TransitionCompassParameters transitions;
   HorizonCompassParameters horizon;
   TileRowCompassParameters tile_row;
@@ -41,7 +41,8 @@ struct CompassParameters {
   CornerCompassParameters corners;
 };
 
-/// Calls visit(prefix, part) for the comparison and for each peer; room awareness has parameters of its own everywhere.
+/// Calls visit(prefix, part) for the comparison and for each peer; room awareness has its own parameters in all
+/// programs.
 template <typename Visit>
 void for_each_peer(CompassParameters& p, Visit&& visit) {
   visit("comparison", p.comparison);

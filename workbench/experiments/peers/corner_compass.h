@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Corner landmarks: the rule by which a team of RoboCup's humanoid league determines the side of the field since July
 // 2026 (NUbots, pull request 1823 of NUbots/NUbots), from its published description, not from its code. docs/peers.md
-// says what is known of it and what is chosen here.
+// lists what is known of it and what is chosen here.
 #pragma once
 
 #include "workbench/experiments/peers/corner_decision.h"
@@ -24,8 +24,8 @@ void describe(CornerCompassParameters& p, Visit&& visit) {
   describe(p.decision, visit);
 }
 
-/// Learned is a map of corners with their places. Compared is how well each frame's corners fit the map under the
-/// believed pose and under its mirrored pose; the score is the accumulated log-likelihood ratio of the mirrored pose.
+/// It learns a map of corners with their positions. It compares how well each frame's corners fit the map under the
+/// believed pose and under the mirrored pose; the score is the accumulated log-likelihood ratio of the mirrored pose.
 class CornerCompass : public OrientationCompass {
  public:
   explicit CornerCompass(const CornerCompassParameters& parameters = {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// When corner landmarks flip the believed pose. The constants are those that a team of RoboCup's humanoid league
-// published in 2026 (docs/peers.md).
+// The rule by which corner landmarks flip the believed pose. The constants are those that a team of RoboCup's humanoid
+// league published in 2026 (docs/peers.md).
 #pragma once
 
 #include "workbench/experiments/peers/corner_map.h"
@@ -36,10 +36,10 @@ class CornerDecision {
   explicit CornerDecision(const CornerDecisionParameters& parameters) : parameters_(parameters) {}
 
   void restart();
-  /// One frame: how well it fits the map under the believed pose and under its mirrored pose.
+  /// Adds one frame: its fits with the map under the believed pose and under the mirrored pose.
   void update(const CornerFit& believed, const CornerFit& mirrored, double coverage);
 
-  /// Log-likelihood ratio of the believed pose against its mirrored pose: negative speaks for the mirrored pose.
+  /// Log-likelihood ratio of the believed pose against the mirrored pose: negative values support the mirrored pose.
   double ratio() const { return ratio_; }
   bool wants_flip() const { return held_ >= parameters_.hold; }
 

@@ -43,13 +43,13 @@ struct Corner {
 /// adjacent corners only the one with the best score is returned. Empty for an image that is smaller than a patch.
 std::vector<Corner> find_corners(const LumaPlane& image, int rows, int contrast);
 
-/// One bit for each comparison of two places in the patch.
+/// One bit for each comparison of two pixels in the patch.
 using CornerDescriptor = std::array<std::uint64_t, 4>;
 
 /// Number of bits that differ, 0 to 256.
 int distance(const CornerDescriptor& a, const CornerDescriptor& b);
 
-/// Describes corners of one image, which has to outlive it.
+/// Describes corners of one image, which must outlive this object.
 class CornerDescriber {
  public:
   /// Prepares the first `rows` rows and what the patches of their corners need below.

@@ -9,8 +9,8 @@
 namespace reorient {
 namespace {
 
-// An even number, so that each sector has a mirrored one. They share the landmarks evenly: otherwise what is seen first
-// would fill the map.
+// An even number, so that each sector has a mirrored one. Each has the same share of the landmarks: otherwise the first
+// views would fill the map.
 constexpr int kSectors = 20;
 constexpr int kLeastChances = 30;  // frames that should show a landmark before it may be removed
 
@@ -20,7 +20,7 @@ Eigen::Vector3d mirrored_about_center(const Eigen::Vector3d& vector) { return {-
 
 CornerMap::CornerMap(const CornerMapParameters& parameters) : parameters_(parameters), sectors_(kSectors) {}
 
-/// The landmarks that at least `least_seen` frames have seen.
+/// The landmarks that were seen in at least `least_seen` frames.
 std::vector<CornerMap::Candidate> CornerMap::candidates(const Eigen::Vector3d& eye, int least_seen) const {
   std::vector<Candidate> candidates;
   for (std::size_t sector = 0; sector < sectors_.size(); ++sector) {
@@ -65,7 +65,7 @@ void CornerMap::learn(const CornerView& view) {
     }
     match.candidate->is_used = true;
     CornerLandmark& landmark = sectors_[match.candidate->sector][match.candidate->place];
-    constexpr int kLongest = 100;  // frames over which the mean runs
+    constexpr int kLongest = 100;  // frames in the running mean
     const double share = 1.0 / std::min(++landmark.seen, kLongest);
     const Eigen::Vector3d seen_at = view.eye() + (landmark.position - view.eye()).norm() * corner.ray;
     landmark.position += share * (seen_at - landmark.position);
@@ -84,7 +84,8 @@ bool CornerMap::is_lost(const CornerLandmark& landmark) const {
   return chances >= kLeastChances && landmark.seen < parameters_.least_share * chances;
 }
 
-/// In a full sector a new landmark replaces the one that was seen least, but never one that counts.
+/// In a full sector a new landmark replaces the one that was seen least, but never one that is seen often enough to
+/// count.
 void CornerMap::add(const Eigen::Vector3d& eye, const SeenCorner& corner) {
   const CornerLandmark landmark{eye + parameters_.distance * corner.ray, corner.descriptor, 1, 0};
   const int sector = sector_of(direction_of(landmark.position.head<2>()), kSectors);

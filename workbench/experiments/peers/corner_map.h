@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Landmarks beyond the carpet: corners, each with a place that is assumed to lie at a fixed distance from where it was
-// first seen, because a single camera gives its bearing only.
+// Landmarks beyond the carpet: corners, each with an assumed position at a fixed distance from the camera that first
+// saw it, because a single camera measures only bearings.
 #pragma once
 
 #include <cstddef>
@@ -55,18 +55,18 @@ class CornerMap {
  public:
   explicit CornerMap(const CornerMapParameters& parameters);
 
-  /// One frame whose believed pose is right.
+  /// Learns one frame whose believed pose is right.
   void learn(const CornerView& view);
-  /// Of the believed pose, or of its mirrored pose. Each landmark explains one corner at most.
+  /// The fit of the believed pose or of the mirrored pose. Each landmark explains at most one corner.
   CornerFit fit(const CornerView& view, bool mirrored) const;
-  /// Share of the sectors of the circle around the field's center that contain a landmark that counts.
+  /// Fraction of the sectors around the field's center that contain a landmark that counts.
   double coverage() const;
   /// Number of landmarks.
   int size() const;
 
  private:
   using Sector = std::vector<CornerLandmark>;
-  /// A landmark, seen from where the camera stands.
+  /// A landmark, seen from the camera.
   struct Candidate {
     Eigen::Vector3d direction;  // field frame, of length 1
     std::size_t sector = 0, place = 0;

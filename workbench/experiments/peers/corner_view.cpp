@@ -8,7 +8,7 @@
 namespace reorient {
 namespace {
 
-constexpr double kFarthest = 50.0;  // m from the field's center; no belief on a field is as far out
+constexpr double kFarthest = 50.0;  // m from the field's center; beyond any belief on a field
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one frame shows to corner landmarks: the corners above the horizon, and where a place of the room would appear.
+// One frame for corner landmarks: the corners above the horizon, and the projection of points of the room.
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@ struct SeenCorner {
 
 class CornerView {
  public:
-  /// At most `most` corners with at least this contrast (luma steps), the best first. No value where there is no image,
-  /// where a number is not finite, or where the camera stands more than 50 m from the field's center.
+  /// At most `most` corners with at least this contrast (luma steps), the best first. No value without an image,
+  /// if a number is not finite, or if the camera is more than 50 m from the field's center.
   static std::optional<CornerView> of(const RoomObservation& view, int contrast, int most);
 
   const std::vector<SeenCorner>& corners() const { return corners_; }
-  const Eigen::Vector3d& eye() const { return eye_; }  ///< the camera's place, field frame, m
+  const Eigen::Vector3d& eye() const { return eye_; }  ///< the camera's position, field frame, m
 
-  /// Whether a corner at this place (field frame, m) would be found: above the horizon, within the part of the image
+  /// Whether a corner at this position (field frame, m) would be found: above the horizon, within the part of the image
   /// that is searched, and not covered by a robot or a goal.
   bool shows(const Eigen::Vector3d& place) const;
 

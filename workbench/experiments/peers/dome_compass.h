@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiles on a half icosahedron that covers the ceiling: the wall that the paper considered and left aside.
+// Tiles on a half icosahedron that covers the ceiling: the wall that the paper considered but did not use.
 #pragma once
 
 #include <vector>

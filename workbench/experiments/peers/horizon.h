@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the image shows the horizon, and which part of the room stands there: what methods have in common that describe
-// the room by its azimuth alone. Field frame.
+// The horizon in the image, and the part of the room there: shared by methods that describe the room by azimuth alone.
+// Field frame.
 #pragma once
 
 #include <optional>
@@ -22,18 +22,18 @@ struct HorizonColumn {
   bool covered = false;  ///< by a robot or a goal, at the horizon
 };
 
-/// A round wall of which nothing counts but where it is. `radius`: m; 100 is as good as infinitely far away.
+/// A round wall of which only the distance matters. `radius`: m; 100 is practically infinite.
 Wall bare_wall(double radius);
 
-/// The camera of a view, seen from the believed pose. Nothing where there is no image, where anything is not finite, or
-/// where the camera stands outside of the wall.
+/// The camera of a view, seen from the believed pose. Nothing without an image, if a number is not finite, or if
+/// the camera is outside of the wall.
 class HorizonCamera {
  public:
   static std::optional<HorizonCamera> of(const RoomObservation& view, const Wall& wall);
 
-  /// `count` columns, evenly spread. Where the camera looks too steeply for a horizon there are none.
+  /// `count` columns, evenly spread. Empty if the camera is too steep for a horizon.
   void find(int count, std::vector<HorizonColumn>& columns) const;
-  /// The row of a column in which the camera looks up at this slope (meters of height a meter), pixels; nothing if
+  /// The row of a column at which the line of sight has this slope (height per distance), pixels; nothing if
   /// the column has no such row.
   std::optional<double> row_at(double x, double slope) const;
   int width() const { return camera_.width; }
@@ -55,7 +55,7 @@ class HorizonCamera {
 };
 
 /// One of `sectors` equal parts of the circle, counted to the left from azimuth 0. With an even number of them, the
-/// reflection of a sector is the one half of them further on.
+/// reflection of a sector is half their number further on.
 int sector_of(double azimuth, int sectors);
 inline int reflected_sector(int sector, int sectors) { return (sector + sectors / 2) % sectors; }
 

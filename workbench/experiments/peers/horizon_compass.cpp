@@ -7,9 +7,9 @@
 namespace reorient {
 namespace {
 
-constexpr int kRowPlaces = 160;  // places of the row, over the whole width of the image
+constexpr int kRowPlaces = 160;  // samples of the row, over the whole width of the image
 constexpr int kMapSectors = 144;
-constexpr int kLeastLooks = 10;  // frames; a sector with fewer does not count
+constexpr int kLeastLooks = 10;  // frames; a sector with fewer is not used
 
 }  // namespace
 
@@ -87,7 +87,7 @@ void HorizonCompass::learn(const RoomObservation& view) {
       continue;
     }
     Landmark& landmark = *match.landmark;
-    constexpr int kLongest = 100;  // looks over which the mean runs
+    constexpr int kLongest = 100;  // looks in the running mean
     const auto share = 1.0f / static_cast<float>(std::min(++landmark.seen, kLongest));
     for (std::size_t i = 0; i < landmark.descriptor.size(); ++i)
       landmark.descriptor[i] += share * (feature.descriptor[i] - landmark.descriptor[i]);

@@ -38,8 +38,8 @@ void describe(HorizonCompassParameters& p, Visit&& visit) {
   visit("least_seen", p.least_seen, 1, 1000, "", "smallest number of observations at which a landmark counts");
 }
 
-/// Learned is a map of landmarks by their azimuth. Compared is how well each feature fits the nearest landmark at its
-/// azimuth, and at the azimuth rotated by 180 degrees.
+/// It learns a map of landmarks by azimuth. It compares how well each feature fits the nearest landmark at its azimuth,
+/// and at the azimuth rotated by 180 degrees.
 class HorizonCompass : public OrientationCompass {
  public:
   explicit HorizonCompass(const HorizonCompassParameters& parameters = {});

@@ -7,7 +7,7 @@
 namespace reorient {
 namespace {
 
-/// Widths in places of the row: those of SURF's first two octaves that lie between two others.
+/// Widths in samples of the row: those of SURF's first two octaves that lie between two others.
 constexpr std::array<int, 4> kFilters{15, 21, 27, 39};
 constexpr int kPartSamples = 5;  // in each of the three parts of a descriptor
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interest points of a row of brightness, and what is around each of them: SURF (Bay et al. 2006) in one dimension, as
-// Anderson, Yusmanthia, Hengst and Sowmya have it, "Robot localisation using natural landmarks" (RoboCup 2012).
+// Interest points of a row of brightness, with descriptors: SURF (Bay et al. 2006) in one dimension, as
+// Anderson, Yusmanthia, Hengst and Sowmya published it at RoboCup 2012 (docs/peers.md has the title).
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@ using HorizonDescriptor = std::array<float, 6>;
 struct HorizonFeature {
   int place = 0;        ///< index in the row
   int filter = 0;       ///< width of the filter that responded
-  bool bright = false;  ///< brighter than what is around it
+  bool bright = false;  ///< brighter than its surroundings
   HorizonDescriptor descriptor{};
 };
 
-/// Between 0, the same, and 2.
+/// Distance from 0 (the same) to 2.
 double distance(const HorizonDescriptor& a, const HorizonDescriptor& b);
 
 class HorizonFeatureFinder {
  public:
-  /// `contrast`: how much brighter or darker than around it a point must be, as a share of the row's mean. A feature
-  /// whose surroundings reach beyond the row does not count. Valid until the next call.
+  /// `contrast`: smallest difference between a point and its surroundings, as a fraction of the row's mean. Leaves out
+  /// features whose surroundings reach beyond the row. Valid until the next call.
   std::span<const HorizonFeature> find(std::span<const float> row, double contrast);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What any method is asked that tells a pose from its reflection by the room: so that room awareness and what others
-// have proposed can be measured by the same images and the same question.
+// The interface of methods that distinguish a pose from the mirrored pose by the room, so that room awareness and its
+// peers can be measured on the same images.
 #pragma once
 
 #include <memory>
@@ -14,20 +14,19 @@ class OrientationCompass {
  public:
   virtual ~OrientationCompass() = default;
 
-  /// One frame of a robot whose believed pose is right. `train` and `evaluate` of the view do not count.
+  /// Learns one frame of a robot whose believed pose is right. Ignores `train` and `evaluate` of the view.
   virtual void learn(const RoomObservation& view) = 0;
-  /// A new stretch of looking about begins: what was compared before speaks for nothing any more.
+  /// A new period of looking around begins: clears the evidence of earlier frames.
   virtual void begin() = 0;
-  /// One frame whose believed pose may be right or the reflection of what is right. Returns how strongly all frames
-  /// since begin() speak for the reflection of the believed pose against that pose itself: 0 where they tell nothing,
-  /// and always a finite number. Its unit is the method's own.
+  /// Compares one frame whose believed pose may be right or mirrored. Returns the evidence of all frames since begin()
+  /// for the mirrored pose against the believed pose: 0 without evidence, always finite, in the method's own unit.
   virtual double compare(const RoomObservation& view) = 0;
 
-  /// Whether the method's own published rule flips the believed pose after what compare() has seen since begin(). No
-  /// value: no rule is known.
+  /// Whether the method's published rule flips the believed pose after the frames since begin(). No value: no rule is
+  /// known.
   virtual std::optional<bool> wants_flip() const { return std::nullopt; }
 
-  /// With all that it has learned.
+  /// A copy with everything that it has learned.
   virtual std::unique_ptr<OrientationCompass> clone() const = 0;
 };
 

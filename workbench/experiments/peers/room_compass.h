@@ -9,10 +9,10 @@
 
 namespace reorient {
 
-/// Its results.
+/// Its two scores.
 enum class RoomScore {
   evidence,     ///< its log-odds
-  confidences,  ///< the smoothed confidence in the reflection less that in the pose: what the paper decides by
+  confidences,  ///< the smoothed confidence in the reflection minus that in the pose: the paper's criterion
 };
 
 class RoomCompass : public OrientationCompass {
@@ -23,7 +23,7 @@ class RoomCompass : public OrientationCompass {
   void learn(const RoomObservation& view) override;
   void begin() override {
     awareness_.restart();
-    said_ = 0.0;
+    score_ = 0.0;
   }
   double compare(const RoomObservation& view) override;
   std::optional<bool> wants_flip() const override;
@@ -32,7 +32,7 @@ class RoomCompass : public OrientationCompass {
  private:
   RoomAwareness awareness_;
   RoomScore score_;
-  double said_ = 0.0;  // by the last compare() since begin()
+  double score_ = 0.0;  // result of the last compare() since begin()
 };
 
 }  // namespace reorient

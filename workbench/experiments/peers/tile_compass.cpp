@@ -14,7 +14,7 @@ void TileCompass::learn(const RoomObservation& view) {
 }
 
 double TileCompass::compare(const RoomObservation& view) {
-  constexpr int kLeastSeen = 10;  // frames after which a tile is compared with
+  constexpr int kLeastSeen = 10;  // frames after which a tile is used
   for (const SeenTile& seen : look(view)) {
     const LearnedTile& here = tiles_[static_cast<std::size_t>(seen.tile)];
     const LearnedTile& there = tiles_[static_cast<std::size_t>(reflected(seen.tile))];

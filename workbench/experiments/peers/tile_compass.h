@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Color histograms on tiles around the robot, on any wall: the observation of a tile is compared with the
-// tile and with the one rotated by 180 degrees. So walls are compared by the same rule.
+// Color histograms on tiles around the robot, on any wall: compares the observation of a tile with the tile and with
+// the one rotated by 180 degrees. So walls are compared by the same rule.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace reorient {
 
-/// What one frame shows of a tile.
+/// The observation of a tile in one frame.
 struct SeenTile {
   int tile = 0;
   ColorHistogram histogram{};
@@ -30,8 +30,8 @@ void describe(TileCompassParameters& p, Visit&& visit) {
   describe(p.distance, visit);
 }
 
-/// Learned is each tile's mean histogram. Compared is how far each tile in view is from its own and from its
-/// reflection's; the sum over tiles and frames is the score.
+/// It learns each tile's mean histogram. It compares the distance of each tile in view from its own mean and from that
+/// of its reflection; the sum over tiles and frames is the score.
 class TileCompass : public OrientationCompass {
  public:
   void learn(const RoomObservation& view) override;
@@ -42,11 +42,11 @@ class TileCompass : public OrientationCompass {
   TileCompass(int tiles, const TileCompassParameters& parameters)
       : parameters_(parameters), tiles_(static_cast<std::size_t>(tiles)) {}
 
-  /// The tiles that one frame shows well enough; valid until the next call.
+  /// The tiles that are sufficiently in view in one frame; valid until the next call.
   virtual std::span<const SeenTile> look(const RoomObservation& view) = 0;
   virtual int reflected(int tile) const = 0;
 
-  /// One pixel on a tile. All of a frame, then the thresholds that follow the tiles' light.
+  /// Adds one pixel on a tile. After all pixels of a frame, the thresholds follow the tiles' light.
   void add_light(const Ycbcr& color) { light_.add(color); }
   ColorThresholds next_thresholds(double time);
 

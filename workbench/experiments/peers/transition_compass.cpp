@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-constexpr int kLeastLines = 20;  // a sector with fewer does not count
+constexpr int kLeastLines = 20;  // a sector with fewer is not used
 constexpr std::size_t kMostColors = 6000;
 constexpr int kLineSamples = 16;  // of a scan line
 
@@ -28,7 +28,7 @@ Ycbcr TransitionCompass::pixel_of(const ImageView& image, const ScanLine& line, 
   return image.at(line.x, static_cast<int>(line.bottom + k * (line.top - line.bottom) / kLineSamples));
 }
 
-/// The scan lines of the frame. False: there are none.
+/// The scan lines of the frame. False: no scan line is in view.
 bool TransitionCompass::look(const RoomObservation& view) {
   scan_lines_.clear();
   const std::optional<HorizonCamera> camera = HorizonCamera::of(view, wall_);
@@ -56,7 +56,7 @@ void TransitionCompass::sample_colors(const RoomObservation& view) {
     for (int k = 0; k < kLineSamples; k += 8)
       palette_.push_back(light_.without_light(pixel_of(view.image, scan_lines_[i], k)));
   }
-  // Thinned evenly, so that the whole beginning is in it.
+  // Thinned evenly, so that it covers the whole start.
   if (palette_.size() <= 2 * kMostColors) return;
   for (std::size_t i = 0; 2 * i < palette_.size(); ++i) palette_[i] = palette_[2 * i];
   palette_.resize((palette_.size() + 1) / 2);
@@ -101,7 +101,7 @@ void TransitionCompass::learn(const RoomObservation& view) {
   is_prepared_ = false;
 }
 
-/// The logarithms, once for many frames.
+/// Computes the logarithms once for many frames.
 void TransitionCompass::prepare() {
   if (std::exchange(is_prepared_, true)) return;
   nothing_.assign(places(), 0.0);
@@ -110,7 +110,7 @@ void TransitionCompass::prepare() {
     double lines = 0.0;
     for (int s = 0; s < parameters_.sectors; ++s) lines += lines_[place(s, band)];
     for (int pair = 0; pair < pairs_; ++pair) {
-      std::array<double, 2> usual{};  // what the whole room has; nothing is impossible
+      std::array<double, 2> usual{};  // of the whole room; never 0
       for (std::size_t i = 0; i < 2; ++i) {
         double sum = 0.01;
         for (int s = 0; s < parameters_.sectors; ++s)

@@ -72,7 +72,7 @@ class TransitionCompass : public OrientationCompass {
   static Ycbcr pixel_of(const ImageView& image, const ScanLine& line, int k);
   void prepare();
   void prepare(std::size_t here, int pair, const std::array<double, 2>& usual);
-  /// Where a sector's band, and where a pair of classes in it, is kept.
+  /// Index of a sector's band, and of a pair of classes in it.
   std::size_t place(int sector, int band) const { return static_cast<std::size_t>(sector * parameters_.bands + band); }
   std::size_t cell(std::size_t place, int pair) const {
     return place * static_cast<std::size_t>(pairs_) + static_cast<std::size_t>(pair);
@@ -82,9 +82,9 @@ class TransitionCompass : public OrientationCompass {
   TransitionCompassParameters parameters_;
   std::uint64_t seed_;
   Wall wall_;
-  std::vector<double> slopes_;  // at which each band ends
+  std::vector<double> slopes_;  // upper end of each band
   RunningLight light_;
-  std::vector<Ycbcr> palette_;  // colors of the beginning
+  std::vector<Ycbcr> palette_;  // colors at the start
   double first_time_ = 0.0;
   bool any_time_ = false;
   ColorClasses classes_;
@@ -99,7 +99,7 @@ class TransitionCompass : public OrientationCompass {
   // Of this frame.
   std::vector<HorizonColumn> columns_;
   std::vector<ScanLine> scan_lines_;
-  std::vector<int> counts_;   // of each pair on the present scan line
+  std::vector<int> counts_;   // of each pair on the current scan line
   std::vector<int> present_;  // pairs with a count
   double score_ = 0.0;
 };

@@ -81,7 +81,7 @@ std::optional<TriangleDome::Hit> TriangleDome::meet(const Eigen::Vector3d& from,
 }
 
 // A face's triangles by two of the three barycentric coordinates, times `cuts`: row a of them holds 2 (cuts - a) - 1
-// triangles, which stand on their base and on their tip by turns.
+// triangles, which point up and down alternately.
 int TriangleDome::tile_at(std::size_t face, const Eigen::Vector3d& point) const {
   const Eigen::Vector3d shares = faces_[face].shares_of_point * point;
   const double whole = std::max(shares.sum(), 1e-9);

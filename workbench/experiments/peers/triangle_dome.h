@@ -16,7 +16,7 @@ namespace reorient {
 /// triangle.
 class TriangleDome {
  public:
-  /// `radius`: of the corners, m.
+  /// `radius`: distance of the corners from the center, m.
   TriangleDome(double radius, int cuts);
 
   int tiles() const { return static_cast<int>(reflected_.size()); }
@@ -29,7 +29,7 @@ class TriangleDome {
     int tile = 0;
     double height = 0.0;  ///< m above the field
   };
-  /// Where a ray from a point inside ends; nothing from outside, or where there is no direction.
+  /// The triangle that a ray from a point inside meets; nothing from outside, or for a zero direction.
   std::optional<Hit> meet(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
 
  private:

@@ -12,7 +12,7 @@ std::string time_name(std::size_t time) {
   return kLookTimes[time] == 0.0 ? "one frame" : fixed(kLookTimes[time], 0) + " s of looking about";
 }
 
-/// One light, one time: a line for each method.
+/// The figure of one light and time, with a line for each method.
 void draw_panel(Markup& out, std::span<const CompassRow> rows, const std::string& name,
                 const std::vector<Series>& series, std::size_t time) {
   const Element panel(out, "div", {{"class", "panel"}});

@@ -15,7 +15,7 @@
 namespace reorient {
 namespace {
 
-/// From below the first event to the greatest limit.
+/// The range of times: from below the first event to the largest limit.
 PlotAxis time_axis(const Report& report) {
   constexpr double kLeast = 0.1;  // s
   PlotAxis axis{"time, s", 1.0, 2.0, 5, false, true};
@@ -62,7 +62,7 @@ std::vector<std::size_t> cells_in_both(const Series& series, const CellGroup& gr
   return cells;
 }
 
-/// How many came right, of how many: "default 8 of 8, none 0 of 8".
+/// The corrected beliefs of each series: "default 8 of 8, none 0 of 8".
 std::string count_text(const Report& report, const std::vector<Series>& picture, const CellGroup& group) {
   std::string text;
   for (const Series& one : picture) {
@@ -196,7 +196,7 @@ void draw_reliability(Markup& out, const Report& report) {
 void draw_roc(Markup& out, const Report& report) {
   struct Curve {
     std::string reading;
-    std::vector<RocPoint> points;  ///< none where all beliefs were right, or all wrong
+    std::vector<RocPoint> points;  ///< empty if all beliefs were right, or all wrong
   };
   const std::vector<Series> series = series_of(report);
   std::map<std::string, Curve> curves;  // by the series' name

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What figures have in common.
+// Parts that the figures share.
 #include "workbench/experiments/report/figures.h"
 
 namespace reorient {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures of a report, each with what it shows, how it is read, and where it comes from.
+// The figures of a report, each with title, explanation and provenance.
 #pragma once
 
 #include "workbench/experiments/charts/markup.h"
@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-// Shares and rates, a dot with its interval for each cell.
+// Fractions and rates, a dot with its interval for each cell.
 void draw_failures(Markup& out, const Report& report);
 void draw_false_flips(Markup& out, const Report& report);
 
@@ -15,7 +15,7 @@ void draw_false_flips(Markup& out, const Report& report);
 /// as the strength of a room's symmetry; writes nothing without such an axis. Pools the rooms.
 void draw_ladder(Markup& out, const Report& report);
 
-/// Which share of the beliefs is right, over time: a line for each series, a picture for each group.
+/// The fraction of right beliefs over time: a line for each series, a picture for each group.
 void draw_time_to_right(Markup& out, const Report& report);
 
 /// How well the confidences separate wrong beliefs from right ones: a line for each series.
@@ -31,11 +31,11 @@ void draw_compasses(Markup& out, const Report& report);
 /// The confidences of the best, the median, the worst and the failed trials of each series.
 void draw_confidences(Markup& out, const Report& report);
 
-// What figures have in common.
+// Parts that the figures share.
 
-/// Color, dash and name of each series; `wrong`: of stretches in which the belief is wrong, too.
+/// Color, dash and name of each series; `wrong`: also of periods in which the belief is wrong.
 void draw_legend(Markup& out, const std::vector<Series>& series, bool wrong = false);
-/// The last words of a figure: its caption, and a line that says where it comes from.
+/// The end of a figure: its caption, and a line with the provenance.
 void draw_caption(Markup& out, const Report& report, std::string_view caption);
 
 }  // namespace reorient

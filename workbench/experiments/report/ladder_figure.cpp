@@ -21,11 +21,11 @@ struct Quantity {
 };
 
 std::optional<Quantity> quantity_of(std::string_view choice) {
-  constexpr double kLeast = 1e-6, kGreatest = 1e9;  // of what is not zero
+  constexpr double kLeast = 1e-6, kGreatest = 1e9;  // limits of numbers other than zero
   Quantity quantity;
   const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), quantity.value);
   const double size = std::abs(quantity.value);
-  const bool can_be_shown = size == 0.0 || (size >= kLeast && size <= kGreatest);  // and is a number
+  const bool can_be_shown = size == 0.0 || (size >= kLeast && size <= kGreatest);  // false for NaN
   if (error != std::errc() || !can_be_shown) return std::nullopt;
   choice.remove_prefix(static_cast<std::size_t>(end - choice.data()));
   while (choice.starts_with(' ')) choice.remove_prefix(1);
@@ -50,7 +50,7 @@ std::optional<std::size_t> ladder_axis(const Experiment& experiment) {
   return std::nullopt;
 }
 
-/// In how many trials something happened.
+/// The number of trials in which something happened.
 struct Count {
   int events = 0;
   int trials = 0;
@@ -131,7 +131,7 @@ void draw_ladder(Markup& out, const Report& report) {
   if (!axis || report.cells.empty()) return;
   const std::vector<Ladder> ladders = ladders_of(report, *axis);
   const std::vector<Rung>& rungs = ladders.front().rungs;
-  if (rungs.size() < kFewestRungs) return;  // "1" and "1.0" are one number
+  if (rungs.size() < kFewestRungs) return;  // "1" and "1.0" are the same number
   const std::string name = report.experiment.axes[*axis].name;
   const std::string unit = quantity_of(report.experiment.axes[*axis].choices.front().name)->unit;
   std::string axis_name = name;

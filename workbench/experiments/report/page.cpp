@@ -30,7 +30,7 @@ void draw_facts(Markup& out, const Report& report) {
   add("Written", from.when);
 }
 
-/// In a sentence, how often each choice failed.
+/// One sentence with the failures of each choice.
 std::string finding_of(const Report& report) {
   std::string text;
   for (const Series& series : series_of(report)) {

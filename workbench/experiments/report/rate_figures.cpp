@@ -52,7 +52,7 @@ void draw_strips(Markup& out, const Report& report, const PlotAxis& axis, const 
 
 double false_flips_per_hour(const Row& row) { return row.false_flips / row.right_hours; }
 
-/// One cell with next to no right hours must not press all others together.
+/// Limits the axis, because one cell with few right hours would compress all others.
 double highest_rate_shown(const std::vector<CellResults>& cells) {
   double largest = 0.0, least_high = INFINITY, most_high = 0.0;
   for (const CellResults& cell : cells) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kStyles = 7;  // as many as the style sheet distinguishes
 
-/// Nothing where there are no axes.
+/// Nothing without axes.
 std::optional<std::size_t> series_axis(const Experiment& experiment) {
   for (std::size_t i = experiment.axes.size(); i-- > 0;) {
     if (experiment.axes[i].choices.size() > 1) return i;

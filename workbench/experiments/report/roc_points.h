@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An ROC curve as it is drawn.
+// The points of an ROC curve that are drawn.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a report looks: on a screen, light or dark, wide or narrow, and on paper.
+// The style of a report: on light, dark, wide and narrow screens, and on paper.
 #pragma once
 
 #include <string_view>

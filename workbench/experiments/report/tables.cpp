@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-/// Names, then numbers; scrolls by itself where a page is too narrow.
+/// Columns of names, then of numbers; scrolls if the page is too narrow.
 class NumberTable {
  public:
   NumberTable(Markup& out, std::string_view caption, const std::vector<std::string>& names,
@@ -31,7 +31,7 @@ class NumberTable {
   }
 
  private:
-  /// Outside of what scrolls, and so always to be read.
+  /// A note outside of the scrolling part, so that it is always visible.
   static Markup& captioned(Markup& out, std::string_view caption) {
     out.leaf("p", caption, {{"class", "caption"}});
     return out;
@@ -56,7 +56,7 @@ std::string mean_and_interval(const TimeRow& row) {
   return row.mean ? fixed(row.mean, 1) + " " + fixed(*row.interval, 1) : fixed(std::nullopt, 1);
 }
 
-/// A quantile that too many failed trials hide is later than the limit.
+/// The text of a quantile; with too many failed trials it is later than the limit.
 std::string quantile_text(const std::optional<double>& seconds, int disturbed, double limit) {
   return !seconds && disturbed > 0 ? "> " + fixed(limit, 0) : fixed(seconds, 1);
 }
@@ -108,7 +108,7 @@ std::vector<std::string> numbers_of(const PairedComparison& comparison) {
           has_times ? p_value(comparison.times_p) : fixed(std::nullopt, 0)};
 }
 
-/// Without the notes below it.
+/// The table without its notes.
 void draw_table_of_rows(Markup& out, const Report& report) {
   NumberTable table(out,
                     "Results of each cell. Failed: of the trials with a wrong belief at the start; Wilson\u2019s 95 % "
@@ -157,7 +157,7 @@ void draw_references(Markup& out, const Report& report) {
       "start. Times: mean times until the command that corrected the belief, s.",
       {"case", "measured by"}, {"trials", "flip", "purge", "failed", "mean", "by flip", "by purge"});
   for (auto at = references.begin(); at != references.end();) {
-    // References of equal choices are grouped, with our rows below.
+    // References of equal choices are grouped, with the rows of this experiment below.
     const auto end = std::find_if(at, references.end(), [&](const auto& one) { return one.choices != at->choices; });
     const bool has_own = std::any_of(report.cells.begin(), report.cells.end(), [&](const CellResults& cell) {
       return belongs_to(*at, report.experiment, cell.choices);
@@ -194,7 +194,7 @@ void draw_comparisons(Markup& out, const Report& report) {
       const std::size_t second = group.cells[i];
       const PairedComparison pairs =
           compare_pairs(outcomes_of(report.cells[first].trials), outcomes_of(report.cells[second].trials));
-      if (pairs.disturbed == 0) continue;  // nothing that could fail or take its time
+      if (pairs.disturbed == 0) continue;  // no trial can fail or have a time
       comparisons.push_back(
           {{std::exchange(name, ""), series_of_cell(series, first).name, series_of_cell(series, second).name}, pairs});
     }

@@ -10,10 +10,10 @@ namespace reorient {
 /// A row for each cell.
 void draw_rows(Markup& out, const Report& report);
 
-/// Published results, with our rows of the same choices; writes nothing if the experiment has no references.
+/// Published results, with the rows of the same choices; writes nothing if the experiment has no references.
 void draw_references(Markup& out, const Report& report);
 
-/// Each series against the first, in pairs of equal seeds; nothing where no pair can be compared.
+/// Each series against the first, in pairs of equal seeds; writes nothing if no pair can be compared.
 void draw_comparisons(Markup& out, const Report& report);
 
 }  // namespace reorient

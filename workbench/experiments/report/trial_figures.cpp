@@ -10,7 +10,7 @@
 namespace reorient {
 namespace {
 
-/// One trial that stands for others.
+/// One typical trial.
 struct ShownTrial {
   std::string role;  ///< "best"
   std::size_t cell = 0;

@@ -15,7 +15,7 @@ namespace {
 
 std::string text_of(const std::string& value) { return value; }
 std::string text_of(bool yes) { return yes ? "true" : "false"; }
-/// The shortest text that is this number again.
+/// The shortest text that reads as the same number.
 template <typename Number>
 std::string text_of(Number value) {
   std::array<char, 32> text{};

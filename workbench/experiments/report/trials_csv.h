@@ -9,7 +9,7 @@
 namespace reorient {
 
 /// RFC 4180, UTF-8: a line of names, then one for each trial: the axes' choices, then what was measured, without the
-/// confidences. What is not known is empty.
+/// confidences. Unknown values are empty.
 std::string trials_as_csv(const Report& report);
 
 }  // namespace reorient

@@ -17,11 +17,12 @@ struct CalibrationBin {
   double accuracy() const { return static_cast<double>(right) / samples; }
 };
 
-/// `log_odds`: each says how strongly something spoke for the truth; below 0 it spoke for the wrong one of the two, and
-/// was sure of that. From the least certain to the most certain; empty bins are left out.
+/// `log_odds`: evidence for the truth, each; a negative value supported the wrong one of the two. From the least
+/// certain bin to the most certain one, without empty bins.
 std::vector<CalibrationBin> calibration_bins(std::span<const double> log_odds);
 
-/// The expected calibration error: the mean over all samples of how far certainty and accuracy of their bin are apart.
+/// The expected calibration error: the mean over all samples of the difference between certainty and accuracy of
+/// their bin.
 double calibration_error(std::span<const CalibrationBin> bins);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between which bounds a quantity lies.
+// The interval of a quantity.
 #pragma once
 
 namespace reorient {

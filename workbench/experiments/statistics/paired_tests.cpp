@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t kMostExact = 300;  // pairs that differ; the exact test takes the cube of their number
 
-/// Of differences, none of them zero: twice their ranks by size, so that the mean of several is whole.
+/// Ranks of nonzero differences by size, times two, so that the mean of several ranks is a whole number.
 struct SignedRanks {
   std::vector<std::size_t> doubled;
   std::size_t total = 0;
-  std::size_t positive = 0;  ///< sum of the positive differences'
+  std::size_t positive = 0;  ///< sum over the positive differences
   std::size_t nearer() const { return std::min(positive, total - positive); }
 };
 
@@ -38,7 +38,7 @@ SignedRanks signed_ranks(std::vector<double> differences) {
 }
 
 double exact_p(const SignedRanks& ranks) {
-  // With which probability the positive ones add up to each sum, if both signs were equally probable.
+  // The probability of each sum of the positive ranks, if both signs were equally probable.
   std::vector<double> probability(ranks.total + 1, 0.0);
   probability[0] = 1.0;
   std::size_t reached = 0;
@@ -54,7 +54,7 @@ double exact_p(const SignedRanks& ranks) {
   return std::min(1.0, 2.0 * tail);
 }
 
-/// The share of the normal distribution beyond z >= 0, to 7.5e-8 (Abramowitz and Stegun 1964, 26.2.17).
+/// The fraction of the normal distribution beyond z >= 0, to 7.5e-8 (Abramowitz and Stegun 1964, 26.2.17).
 double normal_tail(double z) {
   constexpr double kDensity = 0.3989422804014327;  // 1 / sqrt(2 pi)
   const double t = 1.0 / (1.0 + 0.2316419 * z);
@@ -76,7 +76,7 @@ double normal_p(const SignedRanks& ranks) {
 double mcnemar_p(int only_first, int only_second) {
   const int count = only_first + only_second;
   const int fewer = std::min(only_first, only_second);
-  constexpr int kMostWhole = 1000;  // pairs; with more, a single term may be too small for a number
+  constexpr int kMostWhole = 1000;  // pairs; with more, a single term may underflow
   double sum = 0.0;
   if (count <= kMostWhole) {
     double term = std::ldexp(1.0, -count);

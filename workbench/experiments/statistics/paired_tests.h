@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether two ways differ that were tried on the same seeds.
+// Tests whether two choices with the same seeds differ.
 #pragma once
 
 #include <utility>
@@ -7,13 +7,12 @@
 
 namespace reorient {
 
-/// McNemar's test, exact: the two-sided probability that of the pairs of which only one failed, the failures lie so
-/// unevenly, if both conditions were equal. `only_first`, `only_second`: such pairs.
+/// McNemar's exact test: the two-sided probability of such an uneven split of the pairs in which only one trial failed,
+/// if both choices were equal. `only_first`, `only_second`: numbers of such pairs.
 double mcnemar_p(int only_first, int only_second);
 
-/// Wilcoxon's signed-rank test, exact also for equal differences (each gets their mean rank); pairs without a
-/// difference say nothing. Two-sided; 1 where no pair differs. Beyond 300 pairs that differ by the normal distribution
-/// that the exact one comes near.
+/// Wilcoxon's signed-rank test, exact also for equal differences (each gets their mean rank); ignores pairs without a
+/// difference. Two-sided; 1 if no pair differs. With more than 300 pairs that differ, uses the normal approximation.
 double wilcoxon_p(const std::vector<std::pair<double, double>>& pairs);
 
 }  // namespace reorient

@@ -10,9 +10,9 @@
 namespace reorient {
 namespace {
 
-/// The probability of at most so many events where `mean` are expected.
+/// The probability of at most `events` events if `mean` are expected.
 double poisson_cumulative(int events, double mean) {
-  double logarithm = -mean;  // of one term: the terms themselves may be too small for a number
+  double logarithm = -mean;  // of one term, because the terms themselves may underflow
   double sum = pinned::exp(logarithm);
   for (int i = 1; i <= events; ++i) {
     logarithm += pinned::log(mean / i);

@@ -56,7 +56,7 @@ Interval bootstrap_area_interval(const std::vector<ScoredGroup>& groups, std::ui
   constexpr int kResamples = 2000;
   constexpr double kUnknownArea = std::numeric_limits<double>::quiet_NaN();
   const std::size_t count = groups.size();
-  // won[i * count + j]: how many pairs of a positive of i and a negative of j are the right way round.
+  // won[i * count + j]: how many pairs of a positive of i and a negative of j are in the right order.
   std::vector<double> won(count * count, 0.0);
   for (std::size_t j = 0; j < count; ++j) {
     std::vector<double> negatives = groups[j].negatives;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kResamples = 2000;
 
-/// `variance`: Greenwood's sum, the relative variance of the share.
+/// `variance`: Greenwood's sum, the relative variance of the fraction.
 Interval log_log_band(double share, double variance, const Interval& before) {
   if (share <= 0.0) return {0.0, before.high};
   const double logarithm = pinned::log(share);

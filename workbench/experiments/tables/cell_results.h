@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cell of an experiment once its trials are over.
+// A cell of an experiment with the results of its trials.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ struct CellResults {
   Row row;                           ///< of these trials
 };
 
-/// What stands for the room in a row that is pooled over the rooms.
+/// The name of the room in rows that are pooled over the rooms.
 inline constexpr const char* kAllRooms = "all";
 
-/// What all rooms show together: for each choice of the other axes a row of the trials in every room, without the
-/// trials themselves. None where there are not several rooms.
+/// Rows that are pooled over the rooms: one for each choice of the other axes, without the trials themselves. Empty
+/// unless there are several rooms.
 std::vector<CellResults> pooled_over_rooms(const Experiment& experiment, const std::vector<CellResults>& cells);
 
 /// A sentence about trials that were never measured, because a reader of the row would count them as failures of the
-/// robot. Empty: there are none.
+/// robot. Empty without such trials.
 std::string not_started_note(const CellResults& cell);
 
 }  // namespace reorient

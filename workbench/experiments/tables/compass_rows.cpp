@@ -45,7 +45,7 @@ CompassFigure figure_of(const Trials& trials, std::size_t method, std::size_t ti
   return figure;
 }
 
-/// A row for each method, of the cells that have these choices; nothing is any.
+/// A row for each method, of the cells with these choices; nothing matches any choice.
 void add_rows(const std::vector<CellResults>& cells, const std::vector<std::optional<std::string>>& wanted,
               std::vector<CompassRow>& rows) {
   Trials trials;

@@ -16,7 +16,7 @@ namespace reorient {
 /// Whether any trial compared compasses.
 bool have_looks(const std::vector<CellResults>& cells);
 
-/// After one of kLookTimes.
+/// The figures after one of kLookTimes.
 struct CompassFigure {
   std::vector<RocPoint> curve;  ///< found reflections over false alarms
   double area = 0.0;            ///< below it
@@ -24,20 +24,20 @@ struct CompassFigure {
   double equal_error = 0.0;
   Interval equal_error_interval;        ///< Wilson's, as if looks were independent
   double silent = 0.0;                  ///< fraction of looks without evidence of the method
-  std::optional<double> flipped;        ///< share of mirrored poses that its own rule has flipped by then
+  std::optional<double> flipped;        ///< fraction of mirrored poses that its own rule has flipped by then
   std::optional<double> false_flipped;  ///< the same of right poses; no value: no rule is known
 };
 
 struct CompassRow {
   std::vector<std::string> choices;  ///< one for each axis; "all": pooled over it
   std::size_t method = 0;            ///< of kCompassMethods
-  int trials = 0;                    ///< that had any look
+  int trials = 0;                    ///< with at least one look
   int looks = 0;
   std::array<CompassFigure, kLookTimes.size()> figures;
 };
 
-/// The choices of the last axis stay apart. For each of them and each method there is a row that is pooled over all
-/// other axes; then, for each choice of each other axis that has several, one that is pooled over the rest.
+/// Never pools the choices of the last axis. For each of them and each method: a row that is pooled over all other
+/// axes; then, for each choice of each other axis with several choices, a row that is pooled over the rest.
 std::vector<CompassRow> compass_rows(const Experiment& experiment, const std::vector<CellResults>& cells);
 
 }  // namespace reorient

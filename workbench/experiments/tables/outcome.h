@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outcome of one trial, as far as it is compared with other trials.
+// The part of a trial's outcome that is compared with other trials.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Outcome {
   std::uint64_t seed = 0;
   bool disturbed = false;  ///< the belief was wrong at the start
   bool failed = false;
-  std::optional<double> right_after;      ///< from when on the belief was right and stayed so
+  std::optional<double> right_after;      ///< time from which the belief was right and stayed right
   std::optional<double> corrected_after;  ///< time of the command that corrected the belief; nothing: no command did
   std::optional<Reorientation> corrected_by;
   int false_flips = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two ways that were tried on the same seeds, pair by pair.
+// Two choices that were run with the same seeds, pair by pair.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace reorient {
 
 struct PairedComparison {
-  int pairs = 0;         ///< seeds that both ways were tried on
+  int pairs = 0;         ///< seeds that both choices have
   int without_pair = 0;  ///< trials of either choice whose seed the other choice does not have
 
   // Of the pairs in which both beliefs were wrong at the start:
@@ -22,14 +22,14 @@ struct PairedComparison {
   int only_second_failed = 0;
   double failed_p = 1.0;  ///< McNemar's test
 
-  // Of those in which both came right: the second way's time until the belief is right, less the first's, s.
+  // Of those in which both beliefs were corrected: time until the belief is right, second minus first, s.
   int timed = 0;
   std::optional<double> median_difference;
   std::optional<Interval> interval;  ///< of that median, by bootstrap
   double times_p = 1.0;              ///< Wilcoxon's test
 };
 
-/// The seeds of each way are different ones.
+/// The seeds within each choice must differ.
 PairedComparison compare_pairs(const std::vector<Outcome>& first, const std::vector<Outcome>& second);
 
 }  // namespace reorient

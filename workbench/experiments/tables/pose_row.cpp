@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// Of times of which some never came, as later than all others; nothing: fewer came.
+/// Quantile of times; missing times count as later than all others. Nothing: too many are missing.
 std::optional<double> ninetieth(const std::vector<std::optional<double>>& times) {
   std::vector<CensoredTime> all;
   all.reserve(times.size());

@@ -71,7 +71,7 @@ Row row_of(const std::vector<TrialResult>& results) {
   row.purge_time = time_row(by_purge);
   row.right_hours = right_seconds / kHour;
   row.false_flip_rate = poisson_rate(row.false_flips, row.right_hours);
-  // What is felt of a fall comes a little later than the fall.
+  // The robot measures a fall a little later than it happens.
   if (standing_seconds > 0.0) row.uninformative_time = std::min(uninformative_seconds / standing_seconds, 1.0);
   const std::vector<CalibrationBin> bins = calibration_of(results);
   for (const CalibrationBin& bin : bins) row.calibration_samples += bin.samples;

@@ -33,7 +33,7 @@ void CompassObserver::observe(const FrameRecord& frame, const SceneTruth& scene)
   learn();
 }
 
-/// The belief where it is right; once the clock has started, its reflection where that is.
+/// The belief if it is right; after the start of the clock also its reflection, if that is right.
 std::optional<Pose2> CompassObserver::right_pose(const Pose2& belief, const Pose2& truth) const {
   if (is_correct(belief, truth)) return belief;
   if (trial_.result().started && is_correct(reflect(belief), truth)) return reflect(belief);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Asks every compass of a trial the same: it has learned the room from right poses, now the light is another one, and
-// the robot looks about; is the believed pose right, or its reflection?
+// Compares all compasses in a trial: each has learned the room from right poses; now the light has changed and the
+// robot looks around. Is the believed pose right, or its reflection?
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 
 namespace reorient {
 
-/// Before the trial's clock starts the compasses learn, whenever the belief is right. From then on each of them is
-/// there twice: one gets the right pose, the other the mirrored pose, both with the error that the pose filter has.
-/// The right pose is the belief or, after a robot was placed on its mirrored pose, the reflection of the belief. After
-/// a while in which they get used to the light, the time is cut into stretches of looking about; one in which the
-/// belief is neither throughout, or the robot not upright, does not count. With `mirrored_after` both copies see the
-/// right pose for a while first, as before a robot is placed on its mirrored pose.
+/// Before the trial's clock starts, the compasses learn whenever the belief is right. Then there are two copies of
+/// each: one gets the right pose, the other the mirrored pose, both with the error of the pose filter. The right pose
+/// is the belief or, after a robot was placed on its mirrored pose, the reflection of the belief. After some seconds
+/// for the adaptation to the light, the time is divided into periods of looking around. A period does not count if the
+/// robot is not upright, or if the belief is not right or mirrored all the time. With `mirrored_after` both copies
+/// first see the right pose for a while, as before a robot is placed on its mirrored pose.
 class CompassObserver : public Observer {
  public:
   /// `trial` judges the same run and observes each frame before this one does.
@@ -54,9 +54,9 @@ class CompassObserver : public Observer {
   CompassLook look_{};
   std::array<Flips, kCompassMethods.size()> flips_{};  ///< by each method's own rule, in the present look
   std::optional<double> learning_began_;               ///< s, time of the first frame that was learned
-  std::size_t next_time_ = 0;                          ///< of kLookTimes, at which they are asked next
+  std::size_t next_time_ = 0;                          ///< of kLookTimes, the time of the next evaluation
   double look_began_ = 0.0;                            ///< s since the clock started
-  bool is_looking_ = false;                            ///< a stretch is under way that counts so far
+  bool is_looking_ = false;                            ///< the current period counts so far
 };
 
 }  // namespace reorient

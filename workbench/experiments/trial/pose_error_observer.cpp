@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kNear = 0.3;                       // m
 constexpr double kTurned = from_degrees(10.0);      // rad
-constexpr double kStays = 2.0;                      // s, for which a belief must stay near
+constexpr double kStays = 2.0;                      // s for which a belief must stay near
 constexpr double kSettled = 5.0;                    // s on its feet after a fall or after it was lifted
 constexpr double kNinetyFivePercent = 7.81;         // of a chi-squared distribution with 3 degrees of freedom
 constexpr double kLeastPosition = 1e-4;             // m, of a stated deviation
 constexpr double kLeastRotation = 1e-4;             // rad
-constexpr double kMostNormalizedSquare = 10'000.0;  // one frame must not count as an hour
+constexpr double kMostNormalizedSquare = 10'000.0;  // limit, so that one frame cannot dominate
 
 bool is_near(const Pose2& belief, const Pose2& truth) {
   const PoseError error = pose_error(belief, truth);

@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-/// From the moment on at which the trial's clock starts.
+/// Starts when the trial's clock starts.
 class PoseErrorObserver : public Observer {
  public:
   /// `trial` judges the same run and observes each frame before this one does.
@@ -21,7 +21,7 @@ class PoseErrorObserver : public Observer {
   const PoseErrors& errors() const { return errors_; }
 
  private:
-  /// Since when something holds without a break.
+  /// The start time of a condition that holds without a break.
   struct Since {
     std::optional<double> time;
     void note(bool holds, double now) {

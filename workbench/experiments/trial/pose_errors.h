@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the belief of one trial was from the truth: plain data.
+// Errors of the belief in one trial: plain data.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace reorient {
 
 /// After a fall, in s since the robot stood again.
 struct FallRecovery {
-  std::optional<double> right_after;    ///< the belief was near the true pose and stayed so
+  std::optional<double> right_after;    ///< the belief was near the true pose and stayed near
   std::optional<double> located_after;  ///< the same of the true pose or its reflection
 };
 template <typename Visit, typename Recovery>
@@ -19,9 +19,8 @@ void visit_recovery(Visit&& visit, Recovery& recovery) {
   visit(recovery.located_after);
 }
 
-/// Sums over frames in which the robot stood on its feet, and had done so for some seconds. A belief that looks the
-/// other way is compared with the reflection of the true pose, and counted: self-localization cannot tell the two
-/// apart.
+/// Sums over frames in which the robot stood on its feet, and had done so for some seconds. A mirrored belief is
+/// compared with the reflection of the true pose, and counted, because self-localization cannot distinguish the two.
 struct PoseErrors {
   std::int64_t frames = 0;
   std::int64_t mirrored_frames = 0;
@@ -29,11 +28,11 @@ struct PoseErrors {
   double square_rotation = 0.0;  ///< rad^2
   /// Of x, y and rotation together, by the belief's own covariance: 3 a frame on average if that is right.
   double normalized_square = 0.0;
-  std::int64_t frames_within = 0;        ///< in which it is at most what 95 % are, if the covariance is right
+  std::int64_t frames_within = 0;        ///< with an error within the 95 % region of the covariance
   std::optional<double> located_after;   ///< s since the trial's clock started: near the pose or its reflection
   std::vector<FallRecovery> recoveries;  ///< one for each fall
 };
-/// All but the recoveries, each value with its name.
+/// Visits all values except the recoveries, each with its name.
 template <typename Visit, typename Errors>
 void visit_named_errors(Visit&& visit, Errors& errors) {
   visit("pose_frames", errors.frames);

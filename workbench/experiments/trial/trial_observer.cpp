@@ -56,14 +56,14 @@ void TrialObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
     sample(world, correct, !is_held && is_correct(reflect(world.pose.pose), scene.truth->pose), time);
     return;
   }
-  // The scenario looks at a frame when it is over: what it does then is seen in the next one.
+  // The scenario runs after a frame: its actions take effect in the next frame.
   if (!starts(scene.scenario)) return;
   result_.started = true;
   result_.correct_at_start = false;
   started_at_ = world.time;
 }
 
-/// A robot that is still in the air is judged once it stands.
+/// A robot that is still in the air is judged when it stands.
 void TrialObserver::judge_start(bool is_held, bool correct) {
   if (is_held || std::exchange(is_start_judged_, true)) return;
   result_.correct_at_start = correct;

@@ -11,16 +11,16 @@
 
 namespace reorient {
 
-/// What is measured.
+/// The measurement of a trial.
 struct Measurement {
-  std::string from;     ///< state of the scenario, or one around it, whose first entry starts the clock; empty: at once
-  double limit = 60.0;  ///< s, within which the belief must be right
-  double hold = 10.0;   ///< s, for which it must stay so, beyond the limit if need be
+  std::string from;  ///< state of the scenario (or an outer state) whose first entry starts the clock; empty: at once
+  double limit = 60.0;          ///< s, within which the belief must be right
+  double hold = 10.0;           ///< s for which it must stay right, beyond the limit if necessary
   bool symmetric_room = false;  ///< nothing distinguishes its two ends: a robot that reports this has not failed
-  bool to_the_end = true;       ///< false: a trial is over once its belief is right and has stayed so
+  bool to_the_end = true;       ///< false: a trial ends when its belief was right for `hold`
 };
 
-/// Whether a state of that path is the one, or within it, as "mirrored/lost" is within "mirrored".
+/// Whether a state of that path equals the other one or is within it, as "mirrored/lost" is within "mirrored".
 bool is_within(std::string_view path, std::string_view state);
 
 /// Between frames the belief counts as in the last one; in the air, and if the true pose is unknown, as wrong.
@@ -32,7 +32,7 @@ class TrialObserver : public Observer {
 
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
-  /// What was to be measured is.
+  /// Whether the measurement is complete.
   bool is_over() const;
   const TrialResult& result() const { return result_; }
 

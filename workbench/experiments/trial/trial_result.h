@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one trial showed: plain data.
+// The result of one trial: plain data.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct ConfidenceSample {
   bool correct = false;    ///< the belief
   bool reflected = false;  ///< it is the reflection of a correct one
 };
-/// Its values in their order, to be read or written.
+/// Visits its values in a fixed order, for reading and writing.
 template <typename Visit, typename Sample>
 void visit_values(Visit&& visit, Sample& sample) {
   visit(sample.time);
@@ -38,8 +38,8 @@ void visit_values(Visit&& visit, Sample& sample) {
 /// All times are in s since the trial's clock started: its scenario entered the state from which a condition measures.
 struct TrialResult {
   std::uint64_t seed = 0;
-  bool started = false;          ///< the clock did
-  double seconds = 0.0;          ///< that were measured
+  bool started = false;          ///< whether the clock started
+  double seconds = 0.0;          ///< measured duration
   bool correct_at_start = true;  ///< the belief
 
   std::optional<double>
@@ -52,11 +52,11 @@ struct TrialResult {
   int flips = 0;
   int purges = 0;
   int resets = 0;
-  int false_flips = 0;                 ///< of a belief that was right
-  int false_purges = 0;                ///< that made a right belief wrong
+  int false_flips = 0;                 ///< flips of a right belief
+  int false_purges = 0;                ///< purges that made a right belief wrong
   double right_seconds = 0.0;          ///< for which the belief was right, while the robot stood on its feet
   double wrong_seconds = 0.0;          ///< the same of a wrong one
-  double uninformative_seconds = 0.0;  ///< for which the robot took its room for symmetric
+  double uninformative_seconds = 0.0;  ///< in which the robot called its room symmetric
   bool ended_uninformative = false;
   bool symmetric_room = false;  ///< nothing distinguishes its two ends: a robot that reports this has not failed
   std::vector<ConfidenceSample> confidences;  ///< twice a second
@@ -64,11 +64,11 @@ struct TrialResult {
   std::optional<PoseErrors> pose_errors;      ///< if the condition requests them
 
   bool failed() const { return !right_after.has_value() && !(symmetric_room && ended_uninformative); }
-  /// Its belief was wrong when the clock started; one whose clock never did counts as such.
+  /// Whether its belief was wrong when the clock started; a trial whose clock never started counts as disturbed.
   bool disturbed() const { return !started || !correct_at_start; }
 };
-/// All of it but the lists and the errors of the pose, each value with its name, to be read or written: what is missing
-/// here is lost between the process that runs a trial and the one that tells what many showed.
+/// Visits all values except the lists and the errors of the pose, each with its name, for reading and writing. A value
+/// that is missing here is lost between the process of the trial and the process that prints the results.
 template <typename Visit, typename Result>
 void visit_named_values(Visit&& visit, Result& result) {
   visit("seed", result.seed);
