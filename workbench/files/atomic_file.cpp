@@ -23,7 +23,7 @@ namespace {
 
 [[noreturn]] void fail() { throw std::system_error(errno, std::generic_category()); }
 
-/// A file that is open for writing. What fails is thrown as std::system_error.
+/// A file that is open for writing. Throws std::system_error if a call fails.
 class OpenFile {
  public:
   OpenFile(const std::filesystem::path& file, int flags) : descriptor_(open(file.c_str(), flags | O_CLOEXEC, 0666)) {
@@ -39,7 +39,7 @@ class OpenFile {
     if (!write_all(descriptor_, std::as_bytes(std::span(bytes)))) fail();
   }
   void set_mode(mode_t mode) const { fchmod(descriptor_, mode); }
-  /// On the disk, not only on its way: otherwise a power cut after the rename leaves an empty file.
+  /// Flushes to the disk: otherwise a power cut after the rename leaves an empty file.
   void sync() const {
     if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
   }
@@ -51,7 +51,7 @@ class OpenFile {
   int descriptor_;
 };
 
-/// The name is on the disk as well, not only what stands behind it. Some file systems know no such thing.
+/// Flushes the folder entry, too. Some file systems do not support it.
 void sync_folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -60,7 +60,7 @@ void sync_folder_of(const std::filesystem::path& file) {
   ::close(descriptor);
 }
 
-/// Of no other process and no other call.
+/// A name that no other process and no other call uses.
 std::filesystem::path fresh_name_beside(const std::filesystem::path& file) {
   static std::atomic<unsigned> count{0};
   std::filesystem::path name = file;
@@ -71,7 +71,7 @@ std::filesystem::path fresh_name_beside(const std::filesystem::path& file) {
   return name;
 }
 
-/// Made new beside `file`, and gone again unless it was given that file's name.
+/// A new file beside `file`, removed at the end unless it was renamed to `file`.
 class FileBeside {
  public:
   explicit FileBeside(const std::filesystem::path& file) : name_(fresh_name_beside(file)), open_(name_, kNew) {}
@@ -97,7 +97,7 @@ class FileBeside {
   bool kept_ = false;
 };
 
-/// What stands at the end of a chain of links, which a rename would break; a name that is not there yet is itself.
+/// The target of a chain of links, because a rename would replace the link. A missing file is its own target.
 std::filesystem::path behind_links(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_symlink(file, error)) return file;
@@ -105,14 +105,14 @@ std::filesystem::path behind_links(const std::filesystem::path& file) {
   return error ? file : target;
 }
 
-/// A device or a pipe: to rename another file to its name would take it away from everybody.
+/// Whether it is a device or a pipe, which a rename would replace.
 bool is_special(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   return std::filesystem::is_other(status);
 }
 
-/// Why no file of this name could be made now; nothing: it could. Leaves none behind.
+/// Why a file of this name cannot be created; nothing: it can. Leaves no file behind.
 std::optional<std::string> why_not_writable(const std::filesystem::path& file) {
   try {
     const std::filesystem::path target = behind_links(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that are there as a whole or not at all: written beside, then renamed.
+// Files that are written completely or not at all: written to a temporary file, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace reorient {
 
-/// Throws std::runtime_error with one line; then the file is unchanged.
+/// Throws std::runtime_error with one line; the file is then unchanged.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// For files that are written in parts: a temporary file beside `file`, which replaces it once it is complete.
@@ -24,9 +24,9 @@ class FileInTheMaking {
   FileInTheMaking(const FileInTheMaking&) = delete;
   FileInTheMaking& operator=(const FileInTheMaking&) = delete;
 
-  /// Where to write; a pipe or a device stands for itself.
+  /// The path to write to; for a pipe or a device the path itself.
   const std::filesystem::path& path() const { return path_; }
-  /// It is whole, and closed. Throws std::runtime_error with one line.
+  /// Call when the file is complete and closed. Throws std::runtime_error with one line.
   void end();
 
  private:
@@ -34,16 +34,16 @@ class FileInTheMaking {
   bool is_ended_ = false;
 };
 
-/// One of several outputs, independent of the others: where `write` throws, `failures` gets one line more.
+/// Writes one of several independent outputs: if `write` throws, adds a line to `failures`.
 void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write);
 
-/// Nothing: it cannot be read.
+/// The whole file; nothing: it cannot be read.
 std::optional<std::string> read_whole_file(const std::filesystem::path& file);
 
-/// Finds out before a long run, not after it, that its results could not be written. `option`: what names the place on
-/// the command line. Throws std::runtime_error with one line.
+/// Checks before a long run that its results can be written. `option`: the option that names the file. Throws
+/// std::runtime_error with one line.
 void require_writable_file(const std::filesystem::path& file, std::string_view option);
-/// The same; makes the folder if it is not there.
+/// The same for a folder; creates it if it is missing.
 void require_writable_folder(const std::filesystem::path& folder, std::string_view option);
 
 }  // namespace reorient

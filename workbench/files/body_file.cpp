@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-/// What of a body is in which range: generous for anything that walks on two legs and fits into a hall.
+/// Wide limits of the values, for any biped that fits into a hall.
 constexpr double kTallest = 2.5;         // m
 constexpr double kFastest = 20.0;        // rad/s
 constexpr double kLeastView = 20.0;      // degrees
@@ -111,7 +111,7 @@ class BodyReader {
     return limits;
   }
 
-  /// What of a lens can be read only when all of its keys are known.
+  /// The keys of a lens, which are read together after all of them are found.
   struct LensKeys {
     std::string model = "pinhole";
     const toml::node* distortion = nullptr;

@@ -10,8 +10,8 @@
 
 namespace reorient {
 
-/// Throws std::runtime_error with one line that names the file, the line and what is wrong: a file that is missing or
-/// is not TOML, an unknown or missing key, a value of the wrong type or out of range.
+/// Throws std::runtime_error with one line with file, line, what was expected and what was found: a file that is
+/// missing or is not TOML, an unknown or missing key, a value of the wrong type or out of range.
 RobotBody load_body(const std::filesystem::path& file);
 
 /// The same from the file's text; `name` is for the message.

@@ -17,7 +17,7 @@ Calibration parse_calibration(std::string_view text, const std::string& name) {
   Calibration calibration;
   const auto into = [&](CameraOffset& offset) {
     return [&in, &name, &offset](auto& key, auto& value) {
-      constexpr double kMost = 15.0;  // degrees: what is farther off is broken
+      constexpr double kMost = 15.0;  // degrees: a larger offset is a defect
       const TableReader camera(in.table(key, value), name);
       constexpr double kMostHeight = 0.3;  // m
       double tilt = 0.0, pan = 0.0, roll = 0.0, height = 0.0;
@@ -57,7 +57,7 @@ std::string to_toml(const Calibration& calibration) {
     std::snprintf(lines, sizeof(lines), "[%s]\ntilt_degrees = %.2f\npan_degrees = %.2f\n", names[i],
                   to_degrees(offset.tilt), to_degrees(offset.pan));
     text += lines;
-    // Calibration at a place finds neither.
+    // The calibration at a known pose finds neither.
     std::snprintf(lines, sizeof(lines), "roll_degrees = %.2f\n", to_degrees(offset.roll));
     if (offset.roll != 0.0) text += lines;
     std::snprintf(lines, sizeof(lines), "height_m = %.4f\n", offset.height);

@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-/// One cell, in quotes where it has to be.
+/// One cell, in quotes if necessary.
 std::string csv_cell(std::string_view text);
 
 }  // namespace reorient

@@ -44,7 +44,7 @@ FieldDimensions parse_field(std::string_view text, const std::string& name) {
            in.refuse(value, R"(measured_to: expected "middle of lines" or "outside of lines")" + found_text(value));
        }},
       {"yellow_goals", [&](auto& key, auto& value) { field.yellow_goals = in.yes(key, value); }}};
-  TableReader::Readers optional;  // which files of former versions do not have
+  TableReader::Readers optional;  // missing in files of former versions
   describe(field, [&](const char* length, double& meters, double least, double most) {
     (&meters == &field.ball_diameter ? optional : readers)[length] = in.into(meters, least, most);
   });

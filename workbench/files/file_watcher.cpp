@@ -41,7 +41,7 @@ FileWatcher::FileWatcher(std::filesystem::path root, Means means) : root_(std::m
 
 FileWatcher::~FileWatcher() { stop_watching(); }
 
-/// From now on files are compared.
+/// Compares files from now on.
 void FileWatcher::stop_watching() {
   if (descriptor_ >= 0) close(descriptor_);
   descriptor_ = -1;
@@ -62,8 +62,7 @@ void FileWatcher::begin_watching() {
   if (descriptor_ >= 0) watch_directories();
 }
 
-/// Whether another folder stands where the root was, or one where there was none: a watch stays with the folder that it
-/// was set on, wherever that is moved.
+/// Whether the root was replaced or created: a watch stays with its folder, even if that is moved.
 bool FileWatcher::follow_root() {
   const std::optional<Identity> now = identity();
   if (now == watched_root_ && watched_.contains(root_watch_)) return false;
@@ -90,8 +89,8 @@ void FileWatcher::watch_directories() {
   }
 }
 
-/// Whether there was any event. New directories are watched too, whose files may be older than the watch: that they
-/// came is an event itself, and the caller reads everything again.
+/// Whether there was any event. Also watches new directories. Their files may be older than the watch, but the new
+/// directory is an event itself, and the caller reads everything again.
 bool FileWatcher::read_events() {
   alignas(inotify_event) std::array<char, 16 * 1024> buffer;
   bool any = false;
@@ -136,7 +135,7 @@ bool FileWatcher::poll(double time) {
   if (uses_inotify()) {
     changed = read_events();
     changed |= is_due && follow_root();
-    if (!has_all_) stop_watching();  // the user has no more watches (fs.inotify.max_user_watches)
+    if (!has_all_) stop_watching();  // the limit of watches is reached (fs.inotify.max_user_watches)
   } else if (is_due || pending_) {
     changed = compare_files();
   }

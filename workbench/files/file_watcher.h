@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Notices that files below a folder were changed, in place or by renaming, one or many at once.
+// Detects changed files below a folder, changed in place or by renaming, one or many at once.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace reorient {
 
-/// Watches the directories with inotify; if that is impossible for some of them, or does not report what other
-/// machines change, compares times and sizes now and then. Where the
-/// folder itself gives way to another, by a rename or as a symbolic link, that one is watched.
+/// Watches the directories with inotify. If that is impossible for some of them, or does not report changes by other
+/// machines, compares times and sizes periodically. If the folder itself is replaced, by a rename or a switched
+/// symbolic link, watches the new one.
 class FileWatcher {
  public:
   enum class Means { automatic, polling };
@@ -23,7 +23,7 @@ class FileWatcher {
   FileWatcher(const FileWatcher&) = delete;
   FileWatcher& operator=(const FileWatcher&) = delete;
 
-  /// Never blocks. True once after something has changed and then been quiet for a moment (or has not been quiet for
+  /// Never blocks. True once after a change, when there was no further change for `kQuiet` (at the latest after
   /// `kPatience`): files that are saved together are reported together. `time` in s, from any steady clock.
   bool poll(double time);
 
@@ -31,7 +31,7 @@ class FileWatcher {
 
   static constexpr double kQuiet = 0.04;    ///< s
   static constexpr double kPatience = 0.1;  ///< s
-  static constexpr double kInterval = 0.2;  ///< s between two looks at the folder, and without inotify at the files
+  static constexpr double kInterval = 0.2;  ///< s between two checks of the folder, and without inotify of the files
 
  private:
   using Identity = std::pair<std::uint64_t, std::uint64_t>;  // device and inode
@@ -49,8 +49,8 @@ class FileWatcher {
   int descriptor_ = -1;
   std::map<int, std::filesystem::path> watched_;
   int root_watch_ = -1;
-  bool has_all_ = true;                   // folders that there are could be watched
-  std::optional<Identity> watched_root_;  ///< nothing: the folder is gone
+  bool has_all_ = true;                   // all existing folders are watched
+  std::optional<Identity> watched_root_;  ///< nothing: the folder is missing
   double first_change_ = -1.0;
   double last_change_ = -1.0;
   bool pending_ = false;

@@ -10,18 +10,18 @@
 
 namespace reorient {
 
-/// The folder that holds scripts/ and assets/: $REORIENT_HOME, else the first one above the running program that is the
-/// project's or an installation's, which has them in share/reorient. Throws std::runtime_error if neither exists.
+/// The folder with scripts/ and assets/: $REORIENT_HOME, else the first folder above the running program that is the
+/// project's, or an installation's (in share/reorient). Throws std::runtime_error if neither exists.
 std::filesystem::path find_home();
 
-/// "paper" as assets/parameters/paper.toml, "light/hard" as assets/parameters/light/hard.toml, where there is one with
-/// one of the extensions and no file has that path; everything else is a path. A folder of that name does not count:
-/// the project itself has a folder "localization".
+/// "paper" as assets/parameters/paper.toml, "light/hard" as assets/parameters/light/hard.toml, if an asset with
+/// one of the extensions exists and no file has that path; everything else is a path. A folder of that name does not
+/// count: the project itself has a folder "localization".
 std::filesystem::path asset_file(std::string_view folder, const std::filesystem::path& named,
                                  std::span<const std::string_view> extensions);
-/// Whether that may be the name of an asset: it has no extension and does not begin with "/" or ".".
+/// Whether the path may be the name of an asset: it has no extension and does not begin with "/" or ".".
 bool is_asset_name(const std::filesystem::path& named);
-/// The names of those that there are.
+/// The names of the existing assets.
 std::vector<std::string> asset_names(std::string_view folder, std::span<const std::string_view> extensions);
 
 }  // namespace reorient

@@ -19,7 +19,7 @@
 namespace reorient {
 namespace {
 
-constexpr int kDeepest = 16;  // tables in each other
+constexpr int kDeepest = 16;  // nested tables
 constexpr std::size_t kMostParameters = 10'000;
 
 [[noreturn]] void fail(const std::string& source, std::string_view why) {
@@ -88,17 +88,17 @@ std::string as_string(std::string_view text) {
   return out + '"';
 }
 
-/// A value of which only the text is known, so that it is read as this text again.
+/// A value that is stored as text; writes it so that it reads as the same text.
 std::string as_value(const std::string& text) {
   if (text == "true" || text == "false") return text;
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-  const bool reads_the_same = is_number && to_text(number) == text && text != "-0";  // which TOML reads as 0
+  const bool reads_the_same = is_number && to_text(number) == text && text != "-0";  // TOML reads it as 0
   return reads_the_same ? text : as_string(text);
 }
 
-/// A comment ends with its line, and holds no other control characters either.
+/// A comment must contain neither line breaks nor other control characters.
 std::string as_comment(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char code) { return code < ' ' || code == 0x7F; }, ' ');

@@ -11,18 +11,18 @@
 
 namespace reorient {
 
-/// In the order of their names, each with its line as its source. Throws std::runtime_error with one line: file, line,
-/// why.
+/// The overrides in the order of their names, each with its line as its source. Throws std::runtime_error with one
+/// line: file, line, reason.
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file);
 
 /// The same from the file's text; `name` is for the sources and for the message.
 std::vector<ParameterChange> parse_parameters(std::string_view text, const std::string& name);
 
-/// Those that differ from their defaults, and `kept`: values that a file had for modules that are not there. As such a
-/// file.
+/// The text of such a file: the parameters that differ from their defaults, and `kept`: values for modules that are not
+/// loaded.
 std::string parameter_text(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept);
 
-/// Writes that (beside the file first, then renamed). Throws std::runtime_error when it cannot.
+/// Writes that text with a temporary file that it renames. Throws std::runtime_error on failure.
 void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
                      const std::filesystem::path& file);
 

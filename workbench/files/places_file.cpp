@@ -8,7 +8,7 @@
 namespace reorient {
 
 Places parse_places(std::string_view text, const std::string& name) {
-  constexpr double kFarthest = 360.0;  // degrees; and no field is as many meters long
+  constexpr double kFarthest = 360.0;  // degrees, and more than the length of any field in m
   const toml::table table = parse_table(text, name);
   const TableReader in(table, name);
   Places places;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where each player stands before a game begins, from a TOML file: `player_2 = [-3.2, -3.0, 90.0]`, in m, m and
+// Initial pose of each player before a game, from a TOML file: `player_2 = [-3.2, -3.0, 90.0]`, in m, m and
 // degrees, in the team's axes.
 #pragma once
 
@@ -14,10 +14,10 @@
 namespace reorient {
 
 inline constexpr std::size_t kMostPlayers = 20;
-/// Of the players 1 to 20.
+/// The poses of the players 1 to 20.
 using Places = std::array<std::optional<Pose2>, kMostPlayers>;
 
-/// Throws std::runtime_error with one line that names the file, the line and what is wrong.
+/// Throws std::runtime_error with one line with file, line, what was expected and what was found.
 Places load_places(const std::filesystem::path& file);
 /// The same from the file's text; `name` is for the message.
 Places parse_places(std::string_view text, const std::string& name);

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::size_t kMostEntries = 20'000;  // files and folders; more are not a folder of scripts
+constexpr std::size_t kMostEntries = 20'000;  // files and folders; a folder with more is not a folder of scripts
 
 bool is_below(const std::filesystem::path& file, const std::filesystem::path& root) {
   const auto [end, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
@@ -33,7 +33,7 @@ std::optional<ScriptText> read_script(const std::filesystem::path& root, const s
   if (!std::filesystem::exists(std::filesystem::symlink_status(wanted, error))) return std::nullopt;
   const std::filesystem::path true_root = std::filesystem::canonical(root, error);
   if (error) return std::nullopt;
-  // Symbolic links are followed first, so that none leads out of the root.
+  // Follow symbolic links first, so that no link leads out of the root.
   const std::filesystem::path plain = std::filesystem::canonical(wanted, error);
   if (error || !is_below(plain, true_root) || !std::filesystem::is_regular_file(plain, error)) return unusable();
   if (std::filesystem::file_size(plain, error) > kLargestScript || error) return unusable();
@@ -50,7 +50,7 @@ ScriptTexts read_scripts(const std::filesystem::path& root) {
     throw std::runtime_error(root.string() + ": expected a folder of scripts, found none");
   ScriptTexts texts(root.string());
   std::size_t entries = 0;
-  // A folder that is not ours to read holds no scripts of ours, and hides none of the others.
+  // Skip unreadable folders; the others are still read.
   constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
   for (std::filesystem::recursive_directory_iterator entry(root, kSkip, error), end; !error && entry != end;
        entry.increment(error)) {
@@ -101,7 +101,7 @@ std::vector<ScriptEdit> ScriptFiles::poll(double time) {
   try {
     now = read_scripts(root_);
   } catch (const std::runtime_error&) {
-    return {};  // some editors and version control remove the folder for a moment: the scripts stay
+    return {};  // editors and version control may remove the folder for a moment: keep the scripts
   }
   std::vector<ScriptEdit> edits = edits_between(texts_, now);
   texts_ = std::move(now);

@@ -14,25 +14,25 @@
 namespace reorient {
 
 /// All files *.lua below the root, except what lies below tests/ and annotations/. Symbolic links are followed as far
-/// as they stay below the root. A file that cannot be used is there with the reason. Throws std::runtime_error with one
-/// line if the folder does not exist, or if it contains too many files for a folder of scripts.
+/// as they stay below the root. A file that cannot be used is listed with the reason. Throws std::runtime_error with
+/// one line if the folder does not exist, or if it contains too many files for a folder of scripts.
 ScriptTexts read_scripts(const std::filesystem::path& root);
 
 /// The text of one file below the root, or why it cannot be used; nothing: the file does not exist.
 std::optional<ScriptText> read_script(const std::filesystem::path& root, const std::string& file);
 
-/// The path from the root, with '/'; nothing where it does not lie below the root.
+/// The path from the root, with '/'; nothing if it is not below the root.
 std::optional<std::string> path_below(const std::filesystem::path& root, const std::filesystem::path& path);
 
-/// A script as a person names it: "orientation", a file below the root, or a path that leads there; as the engine does.
+/// The engine's name of a script that the user names by "orientation", a file below the root, or a path to that file.
 std::string script_named(const std::filesystem::path& root, const std::string& name);
 
-/// What changed on the disk since the last look.
+/// The edits on the disk since the last call.
 class ScriptFiles {
  public:
   explicit ScriptFiles(std::filesystem::path root);
 
-  /// As they were when they were last read.
+  /// The scripts as last read.
   const ScriptTexts& texts() const { return texts_; }
 
   /// Never blocks. `time`: s, from any steady clock.
@@ -40,11 +40,11 @@ class ScriptFiles {
 
  private:
   std::filesystem::path root_;
-  FileWatcher watcher_;  ///< before the texts are read: what changes meanwhile is noticed
+  FileWatcher watcher_;  ///< starts before the texts are read, so that no change is missed
   ScriptTexts texts_;
 };
 
-/// How to come from one set of texts to another.
+/// The edits that turn one set of texts into another.
 std::vector<ScriptEdit> edits_between(const ScriptTexts& before, const ScriptTexts& after);
 
 }  // namespace reorient

@@ -11,8 +11,8 @@ namespace reorient {
 namespace {
 
 constexpr std::size_t kLargest = 1024 * 1024;  // bytes
-/// The parser calls itself once for each part of a dotted key. A line bounds how many of them there are, and with them
-/// the stack that it takes; its own limit is one of brackets alone.
+/// The parser calls itself once for each part of a dotted key. The length of a line limits their number, and so the
+/// stack; the parser's own limit applies to brackets only.
 constexpr std::size_t kLongestLine = 1000;  // bytes
 
 TomlExcess excess_at(std::string_view text, std::size_t place, std::string why) {
@@ -31,8 +31,8 @@ std::optional<std::size_t> long_line(std::string_view text) {
 
 bool is_beyond_ascii(char letter) { return static_cast<unsigned char>(letter) > 0x7F; }
 
-/// Where the string ends whose opening quotes, one or three of them, stand at `begin`; or a letter beyond ASCII in it
-/// that the parser would look at as at a blank: behind a backslash of a string of several lines.
+/// The end of the string whose opening quotes (one or three) are at `begin`; or the position of a letter beyond ASCII
+/// that the parser would treat as a blank: after a backslash in a multi-line string.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const std::string three(3, quote);
@@ -44,7 +44,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
     } else if (!has_lines && (text[i] == quote || text[i] == '\n')) {
       return i + 1;
     } else if (has_lines && text.substr(i).starts_with(three)) {
-      // One or two more are the string's own last letters.
+      // One or two more quotes are the last letters of the string.
       for (i += 3; i < text.size() && text[i] == quote;) ++i;
       return i;
     }
@@ -52,10 +52,10 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // which some editors write
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors write it
 
-/// The first byte beyond ASCII that stands neither in quotes nor in a comment, or behind a backslash. TOML has hardly
-/// any, and the parser's behavior is undefined for some (toml++ 3.3.0: U+00A1).
+/// The first byte beyond ASCII outside of quotes and comments, or after a backslash. TOML hardly permits any, and the
+/// parser's behavior is undefined for some (toml++ 3.3.0: U+00A1).
 std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
   for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size();) {
     if (is_beyond_ascii(text[i])) return i;
@@ -70,8 +70,8 @@ std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
   return std::nullopt;
 }
 
-/// If a text is not TOML, the parser may see quotes differently from letter_beyond_ascii(), and meet such a letter
-/// outside of them after all. With question marks in their places it never does.
+/// If a text is not TOML, the parser may see quotes differently from letter_beyond_ascii(), and find such a letter
+/// outside of them. Replaces these letters by question marks for the check.
 std::optional<TomlExcess> mistake_beside_letters(std::string_view text) {
   std::string ascii(text);
   const std::ptrdiff_t begin = text.starts_with(kByteOrderMark) ? std::ssize(kByteOrderMark) : 0;

@@ -12,17 +12,17 @@
 
 namespace reorient {
 
-/// At most a little more than what may be parsed. Nothing: the file cannot be read.
+/// Reads slightly more than the limit at most. Nothing: the file cannot be read.
 std::optional<std::string> read_toml_text(const std::filesystem::path& file);
 
 struct TomlExcess {
   int line = 1;
   std::string why;
 };
-/// What keeps the text from being parsed; nothing: it may be.
+/// The limit that the text exceeds; nothing: it may be parsed.
 std::optional<TomlExcess> excess_in_toml(std::string_view text);
 
-/// Of a text without such. Throws toml::parse_error.
+/// Parses a text within the limits. Throws toml::parse_error.
 toml::table parse_toml(std::string_view text);
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write(2) until all is written.
+// Calls write(2) until all bytes are written.
 #pragma once
 
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who decodes images and videos. The library that can (decoder_library.h) is optional, so it is handed in.
+// The interface of the decoder of images and videos, passed in because its library is optional (decoder_library.h).
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace reorient {
 
-/// A video that is read frame after frame.
+/// A video that is read frame by frame.
 class FrameReader {
  public:
   virtual ~FrameReader() = default;
   /// False: no frame is left. Throws BadFootage.
   virtual bool next(Image& image) = 0;
-  /// From the file; 0: the file does not contain it.
+  /// Frames per second from the file; 0: the file does not contain it.
   virtual double frames_per_second() const = 0;
 };
 
 struct FootageDecoder {
-  /// `where`: for messages. Throws BadFootage where the bytes are no image.
+  /// `where`: for messages. Throws BadFootage if the bytes are not an image.
   std::function<Image(std::span<const std::byte> bytes, const std::string& where)> image;
   /// Throws BadFootage if the file is not a readable video.
   std::function<std::unique_ptr<FrameReader>(const std::filesystem::path& file)> video;

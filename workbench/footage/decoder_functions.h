@@ -26,7 +26,7 @@ int reorient_decode_image(const void* bytes, size_t size, struct reorient_pixels
 
 /** What FFmpeg reads. NULL: it is no video. */
 void* reorient_open_video(const char* file);
-/** 0: it is done; 1: there is no frame any more. */
+/** 0: success; 1: no frame is left. */
 int reorient_next_frame(void* video, struct reorient_pixels* pixels);
 /** As the file says; 0: it does not. */
 double reorient_frames_per_second(void* video);

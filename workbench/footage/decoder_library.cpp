@@ -66,7 +66,7 @@ class VideoFile : public FrameReader {
   void* video_;
 };
 
-/// It stays loaded for as long as the program runs.
+/// Stays loaded as long as the program runs.
 Functions functions_of(void* library, const std::filesystem::path& file) {
   const auto find = [&]<typename Function>(const char* name, Function*& function) {
     function = reinterpret_cast<Function*>(dlsym(library, name));
@@ -87,7 +87,7 @@ Functions functions_of(void* library, const std::filesystem::path& file) {
   return functions;
 }
 
-/// Where it may lie.
+/// Possible locations.
 std::vector<std::filesystem::path> decoder_places() {
   std::vector<std::filesystem::path> places;
   if (const char* const named = std::getenv("REORIENT_DECODER"); named != nullptr && *named != '\0') return {named};

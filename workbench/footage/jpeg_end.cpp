@@ -7,7 +7,7 @@ namespace {
 constexpr std::byte kMarker{0xff}, kStuffed{0x00}, kStartOfImage{0xd8}, kEndOfImage{0xd9};
 constexpr std::byte kFirstRestart{0xd0};  // up to 0xd7, before the start of an image
 
-/// Markers that stand alone, without a length and data.
+/// Markers without length and data.
 bool is_alone(std::byte code) { return code >= kFirstRestart && code <= kStartOfImage; }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decoders fill what is missing of a JPEG with gray, without an error.
+// Detects truncated JPEGs, because decoders fill the missing part with gray without an error.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which topics of a log footage is made of.
+// The topics of a log that are used as footage.
 #pragma once
 
 #include <cstdint>
@@ -35,17 +35,17 @@ struct LogChannel {
 
 struct ChosenTopics {
   std::map<std::uint16_t, LogChannel> channels;  ///< by number in the file
-  std::vector<std::string> lines;  ///< for people: "image: /camera/image_raw (sensor_msgs/msg/Image, cdr)"
+  std::vector<std::string> lines;  ///< for the user: "image: /camera/image_raw (sensor_msgs/msg/Image, cdr)"
 
   bool has(messages::Content content) const;
 };
 
 /// Chooses topics that have messages: all with transforms, the camera info in the namespace of the image, else the only
-/// one, and the only one of each other kind; what is named as pose is not chosen as odometry. The topics of goals
+/// one, and the only one of each other kind; a topic named as pose is not chosen as odometry. The topics of goals
 /// (goal_pose, initialpose) are never chosen as poses. Several pose topics beside transforms: none is chosen.
 ///
-/// Throws BadFootage with a list where there are several others of a kind, where a topic is named that does not fit, or
-/// where image or camera info (`needs_camera_info`) are missing.
+/// Throws BadFootage with a list if several other topics of a kind exist, if a named topic does not fit, or if image or
+/// camera info (`needs_camera_info`) are missing.
 ChosenTopics choose_topics(const mcap::Contents& contents, const LogTopics& wanted, bool needs_camera_info);
 
 }  // namespace reorient

@@ -20,12 +20,12 @@ namespace reorient {
 
 struct McapLogOptions {
   LogTopics topics;
-  /// `base_from_camera`: where no topic has transforms either, the camera is level, 0.5 m above the base frame, and
-  /// looks along its x axis. `prefer_pose_topic` is set where a pose topic is named.
+  /// `base_from_camera`: used if no topic has transforms: the camera is level, 0.5 m above the base frame, and
+  /// looks along its x axis. Sets `prefer_pose_topic` if a pose topic is named.
   LogFrameOptions frames;
 };
 
-/// Reads a file chunk by chunk, so that its size does not matter. Of a damaged file it gives the frames before the
+/// Reads a file chunk by chunk, so that any size fits into memory. For a damaged file, returns the frames before the
 /// damage, then throws BadFootage.
 class McapLog : public FootageSource {
  public:
@@ -50,8 +50,8 @@ class McapLog : public FootageSource {
   std::optional<mcap::OrderedMessages> messages_;
   std::optional<LogFrames> frames_;
   std::map<std::uint16_t, std::uint64_t> message_counts_;  // by channel
-  std::string damage_;                                     // to report when all frames before it are out
-  std::string failure_;                                    // was reported
+  std::string damage_;                                     // reported after all frames before it
+  std::string failure_;                                    // already reported
   bool ended_ = false;
 };
 

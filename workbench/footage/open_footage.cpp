@@ -112,7 +112,7 @@ std::unique_ptr<FootageSource> open_video(const FootageRequest& request, const f
   require_file(request.source, "a folder, a table, a video or a log");
   std::unique_ptr<FrameReader> owned = decoder.video(request.source);
   if (table.empty()) return std::make_unique<VideoFootage>(request, std::move(owned));
-  const std::shared_ptr<FrameReader> video = std::move(owned);  // of a function object that can be copied
+  const std::shared_ptr<FrameReader> video = std::move(owned);  // shared, because function objects must be copyable
   std::vector<FrameRow> rows = read_table(table, request.headers);
   if (!have_times(rows) && video->frames_per_second() > 0.0) {
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -171,7 +171,7 @@ fs::path table_of(const FootageRequest& request) {
 std::vector<FrameRow> read_table(const fs::path& table, const ColumnHeaders& headers) {
   const std::string text = read_file(table, "a table");
   const TableHeaders found = read_headers(text, table.string(), headers);
-  // What looks like a slip of the finger would be missed without a word.
+  // Report a probable typing error, which would be ignored otherwise.
   for (const std::string& header : found.unused) {
     if (const std::string meant = did_you_mean(header, found.missing); !meant.empty())
       throw BadFootage(table.string() + ":1: expected a known column, found " + messages::in_quotes(header) + meant +

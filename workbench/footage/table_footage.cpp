@@ -8,7 +8,7 @@ namespace reorient {
 CameraModel camera_of(const FootageCamera& camera, int width, int height) {
   CameraOptics optics = camera.optics;
   if (width * optics.height == height * optics.width) return camera_model(optics, width, height);
-  // Another shape: pixels as square as before, the image cut or extended above and below.
+  // Another aspect ratio: keeps the shape of the pixels; the image is cut or extended above and below.
   const CameraModel own = camera_model(optics, width, width * optics.height / optics.width);
   CameraModel model = own;
   model.height = height;

@@ -12,9 +12,9 @@
 
 namespace reorient {
 
-/// How the images of a footage were taken, if the table does not contain it.
+/// The camera of a footage, for values that the table does not contain.
 struct FootageCamera {
-  CameraOptics optics;  ///< its fields of view are those of images of its shape; of others, the horizontal one counts
+  CameraOptics optics;  ///< fields of view for images of this aspect ratio; for others, the horizontal one is used
   double usual_height = 0.5;  ///< m above the ground
 };
 /// The camera at the resolution of an image.
@@ -22,7 +22,7 @@ CameraModel camera_of(const FootageCamera& camera, int width, int height);
 
 class TableFootage : public FootageSource {
  public:
-  /// Called for row after row. False: no image is left. Throws BadFootage.
+  /// Called for each row in order. False: no image is left. Throws BadFootage.
   using ReadImage = std::function<bool(const FrameRow& row, std::size_t index, Image& image)>;
 
   /// `name`: of the table, for messages. Rows without times are a second apart: the caller then gives images per

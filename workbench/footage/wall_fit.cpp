@@ -15,19 +15,19 @@ namespace {
 
 constexpr int kSmallWidth = 160;      // pixels
 constexpr double kMostRadius = 40.0;  // m
-constexpr int kRadii = 40;            // that are tried, each a little larger than the one before
+constexpr int kRadii = 40;            // tried radii, each slightly larger than the last
 constexpr std::size_t kMostPairs = 1200;
-constexpr std::size_t kFewestPairs = 12;  // with a match
+constexpr std::size_t kFewestPairs = 12;  // of images with a match
 constexpr double kLeastBaseline = 0.1;    // m between two cameras
 constexpr int kResamples = 200;
 
-// Patches of an image that are looked for in another one.
+// Patches of an image that are searched in another one.
 constexpr int kPatchColumns = 10, kPatchRows = 6;
 constexpr int kPatchReach = 3;             // pixels to each side
 constexpr double kLeastContrast = 5.0;     // standard deviation of a patch's luma
 constexpr double kLeastCorrelation = 0.9;  // of a match
-constexpr double kUniqueness = 0.1;        // by which it is better than all matches at clearly other distances
-constexpr int kNeighbors = 2;              // radii to each side that are not clearly others
+constexpr double kUniqueness = 0.1;        // margin over all matches at clearly different distances
+constexpr int kNeighbors = 2;              // radii to each side that are not clearly different
 
 Eigen::Vector3d axis_of(const WallView& view) { return view.field_from_camera.linear().col(0); }
 
@@ -43,15 +43,15 @@ double luma_at(const WallView& view, const Eigen::Vector2d& pixel) {
          down * ((1.0 - right) * below[0] + right * below[1]);
 }
 
-/// Where a ray from inside meets the cylinder about the field's center.
+/// The point at which a ray from inside meets the cylinder about the field's center.
 Eigen::Vector3d on_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double radius) {
   const Eigen::Vector2d p = from.head<2>(), d = direction.head<2>();
   const double a = d.squaredNorm(), b = p.dot(d), c = p.squaredNorm() - radius * radius;
   return from + (std::sqrt(b * b - a * c) - b) / a * direction;
 }
 
-/// The correlation of a patch with what another image shows at the same points of the wall; nothing where it shows them
-/// not, or where the patch is flat.
+/// The correlation of a patch with another image at the same points of the wall; nothing if they are not in view, or if
+/// the patch has no contrast.
 std::optional<double> correlation(const WallView& one, const Eigen::Vector2d& middle, const WallView& other,
                                   const Isometry3& other_from_field, double radius) {
   constexpr int kPixels = (2 * kPatchReach + 1) * (2 * kPatchReach + 1);
@@ -76,7 +76,7 @@ std::optional<double> correlation(const WallView& one, const Eigen::Vector2d& mi
   return (sum_ab - sum_a * sum_b / kPixels) / std::sqrt(a * b);
 }
 
-/// Which of the radii a patch is at; nothing where there is no match, or more than one.
+/// The radius of a patch; nothing without a match, or with several.
 std::optional<double> radius_of(const WallView& one, const Eigen::Vector2d& middle, const WallView& other,
                                 const Isometry3& other_from_field, std::span<const double> radii) {
   std::array<double, kRadii> matches;
@@ -89,7 +89,7 @@ std::optional<double> radius_of(const WallView& one, const Eigen::Vector2d& midd
     if (matches[index] > matches[static_cast<std::size_t>(best)]) best = i;
   }
   const double most = matches[static_cast<std::size_t>(best)];
-  // At either end the best may lie beyond.
+  // At either end, the best radius may be out of range.
   if (most < kLeastCorrelation || best == 0 || best == kRadii - 1) return std::nullopt;
   for (int i = 0; i < kRadii; ++i) {
     if (std::abs(i - best) > kNeighbors && matches[static_cast<std::size_t>(i)] > most - kUniqueness)
@@ -112,8 +112,8 @@ struct Pair {
   double baseline = 0.0;  ///< m between the cameras
 };
 
-/// That look about the same way from different places, evenly over the distances between these: near things are found
-/// from places close by, far ones from places far apart.
+/// Pairs of images with similar directions from different positions, evenly over the baselines: short baselines measure
+/// near objects, long ones distant objects.
 std::vector<Pair> pairs_of(std::span<const WallView> views) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -173,7 +173,7 @@ std::optional<WallFit> fit_wall(std::span<const WallView> views) {
     std::vector<double> here;
     for (int row = 0; row < kPatchRows; ++row) {
       for (int column = 0; column < kPatchColumns; ++column) {
-        // In the upper half: below, floor and furniture are nearer than the wall.
+        // Use the upper half only: below, floor and furniture are nearer than the wall.
         const Eigen::Vector2d middle(
             kPatchReach + (column + 0.5) / kPatchColumns * (one.camera.width - 2 * kPatchReach),
             kPatchReach + (row + 0.5) / kPatchRows * (0.5 * one.camera.height - kPatchReach));

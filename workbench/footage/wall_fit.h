@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The virtual wall that suits a room which is no hall: as far away as what the images show, as high as they reach.
+// Fits the virtual wall to the room of a footage: its distance and its height.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,28 @@
 
 namespace reorient {
 
-/// What one image of a footage says about the wall: a small one of its luma, and where its camera was.
+/// One image of a footage for the fit: a small image of its luma, and the pose of its camera.
 struct WallView {
   CameraModel camera;  ///< of the small image
   Isometry3 field_from_camera;
   std::vector<float> luma;  ///< row after row
 };
-/// Nothing where the pose is not known.
+/// Nothing if the pose is unknown.
 std::optional<WallView> wall_view(const FootageFrame& frame);
 
 struct WallFit {
   double radius = 0.0;  ///< m
-  double low = 0.0;     ///< m: with other pairs of images it lies between these in 90 % of cases
+  double low = 0.0;     ///< m: lower end of the 90 % interval over resampled pairs of images
   double high = 0.0;
   int pairs = 0;  ///< of images that were compared
 };
 
-/// The median distance from the field's center of what the images show above the eye: for patches of one image, the
-/// radius of the cylinder on which another one, taken elsewhere, shows the same (a plane sweep: Collins 1996). Nothing
-/// where the images do not tell: taken from one place, too few, or of things that all are at other distances.
+/// The median distance of the visible room from the field's center, above the camera: for patches of one image, the
+/// radius of the cylinder on which an image from another position shows the same (plane sweep: Collins 1996). Nothing
+/// if the images do not determine it: from one position, too few, or inconsistent distances.
 std::optional<WallFit> fit_wall(std::span<const WallView> views);
 
-/// The wall of that radius which is as high as the images reach, with rows about as high as columns are wide.
+/// The wall of that radius, as high as the images reach, with rows about as high as columns are wide.
 WallParameters wall_of(double radius, std::span<const WallView> views, const WallParameters& usual);
 
 }  // namespace reorient

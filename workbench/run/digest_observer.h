@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// Over all that went in and all that was believed and decided: the same inputs give the same 64 bits.
+/// Computed from all inputs, beliefs and decisions: the same inputs give the same 64 bits.
 class DigestObserver : public Observer {
  public:
   Topics wanted() const override { return {Topic::images}; }

@@ -18,7 +18,7 @@ void TimeHistogram::add(double seconds) {
   longest_ = std::max(longest_, seconds);
 }
 
-/// The nearest rank: the class of the smallest value that is not less than this share of all.
+/// The nearest rank: the class of the smallest value that is not less than this fraction of all.
 double TimeHistogram::rank(double share) const {
   const double wanted = std::max(1.0, std::ceil(share * static_cast<double>(count_)));
   std::uint64_t passed = 0;

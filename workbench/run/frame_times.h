@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long frames take in wall-clock time. Nothing of it enters a decision or the digest.
+// Durations of frames in wall-clock time. They affect neither decisions nor the digest.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace reorient {
 
-/// Of some number of frames, in s; all zero where there were none.
+/// Quantiles over frames, in s; all zero without frames.
 struct TimeQuantiles {
   double median = 0.0;
-  double percentile_99 = 0.0;  ///< 99 of 100 frames were no longer
+  double percentile_99 = 0.0;  ///< 99 of 100 frames took at most this time
   double longest = 0.0;
 };
 
@@ -21,7 +21,7 @@ struct TimeQuantiles {
 class TimeHistogram {
  public:
   void add(double seconds);
-  /// Median and percentile are right within 1 %, the longest exactly.
+  /// Median and percentile are accurate to 1 %, the longest is exact.
   TimeQuantiles quantiles() const;
 
  private:
@@ -35,7 +35,7 @@ class TimeHistogram {
   double longest_ = 0.0;
 };
 
-/// What a run's frames took: with the robot's part of it (a simulated one renders), and without.
+/// Durations of a run's frames, with and without the robot's part (a simulated robot renders).
 class FrameTimes : public Observer {
  public:
   void observe(const FrameRecord& /*frame*/, const SceneTruth& scene) override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame logs, in words: lines and notes of scripts and people, faults, edits, words to the team.
+// The log lines of a frame: lines and notes of scripts and the operator, faults, edits, messages to the team.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct LogLine {
   Level level = Level::info;
   std::string source;  ///< a machine or a script's file; empty if the text contains it, or for a line of the operator
   std::string text;
-  std::string file = {};  ///< of a fault: where it is
+  std::string file = {};  ///< of a fault: its file
   int line = 0;
 };
 

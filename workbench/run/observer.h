@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who watches a run. Observers read records; none can change a frame.
+// Observers of a run. They read records and cannot change a frame.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace reorient {
 
-/// What only those around the robot know of a frame: plain data, too.
+/// The part of a frame that the robot cannot know: plain data.
 struct SceneTruth {
-  std::optional<GroundTruth> truth;  ///< where it is known, in the axes of the frame
+  std::optional<GroundTruth> truth;  ///< if it is known, in the axes of the frame
   ScenarioRecord scenario;           ///< empty without a scenario
-  double observing = 0.0;  ///< s in wall-clock time that the robot took to observe: a simulated one, to render
+  double observing = 0.0;  ///< s in wall-clock time that the robot took to observe (a simulated robot: to render)
   double stepping = 0.0;   ///< s in wall-clock time that the engine took
 };
 
@@ -29,16 +29,16 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// Before a frame: what goes into it, and the engine that it goes to. Valid during the call only.
+  /// Before a frame: its inputs and the engine. Valid during the call only.
   virtual void before(const FrameInputs& /*inputs*/, const FrameLoop& /*engine*/) {}
 
-  /// The topics that it reads of this frame beyond those that are always filled; called after before().
+  /// The topics of this frame that it reads in addition to those that are always filled; called after before().
   virtual Topics wanted() const { return {}; }
 
-  /// Once a frame. Both are valid during the call only.
+  /// Called once a frame. Both are valid during the call only.
   virtual void observe(const FrameRecord& frame, const SceneTruth& scene) = 0;
 
-  /// Once, when the run is over, with its last frame; not called where there was none.
+  /// Called once at the end of the run with its last frame; not called without frames.
   virtual void finish(const FrameRecord& /*last*/, const SceneTruth& /*scene*/) {}
 };
 

@@ -48,7 +48,7 @@ void RunHistory::note_condition(RunCondition condition, bool holds, double time)
   intervals_[open].to = time;
 }
 
-/// Until half of them are left, because gaps below the resolution of a picture are invisible.
+/// Joins intervals until half of them are left, because gaps below the resolution of a picture are invisible.
 void RunHistory::join_intervals() {
   const double duration = intervals_.back().to - intervals_.front().from;
   gap_ = std::max(2.0 * gap_, duration / 4000.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What happened in a run, for the pictures: curves, the intervals in which something held, the first reorientations. It
-// takes a bounded memory: curves are thinned as they grow old, intervals that are near each other become one.
+// The history of a run for the pictures: curves, intervals of conditions, the first reorientations. Its memory is
+// bounded: old curves are thinned, and adjacent intervals are joined.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct ConfidencePoint {
   double raw_opposite = 0.0;
 };
 
-/// What may hold for a while.
+/// The conditions whose intervals are stored.
 enum class RunCondition { training, evaluation_paused, belief_reflected, lifted, down };
 inline constexpr int kRunConditions = 5;
 
@@ -58,7 +58,7 @@ class RunHistory : public Observer {
   const std::vector<CommandMark>& commands() const { return commands_; }
   const std::vector<ReorientationSnapshot>& reorientations() const { return reorientations_; }
 
-  /// One point of the curves stands for this many frames by now.
+  /// Current number of frames for each point of the curves.
   std::uint64_t stride() const { return stride_; }
   std::uint64_t commands_left_out() const { return commands_left_out_; }              ///< the oldest
   std::uint64_t reorientations_left_out() const { return reorientations_left_out_; }  ///< the latest
@@ -78,7 +78,7 @@ class RunHistory : public Observer {
   std::uint64_t stride_ = 1;
   std::vector<ConditionInterval> intervals_;
   std::vector<std::size_t> open_ = std::vector<std::size_t>(kRunConditions, kClosed);  ///< index of the interval
-  double gap_ = 0.0;  ///< s; intervals that are nearer to each other are one
+  double gap_ = 0.0;  ///< s; intervals with a smaller gap are joined
   std::vector<CommandMark> commands_;
   std::uint64_t commands_left_out_ = 0;
   std::vector<ReorientationSnapshot> reorientations_;

@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// What adds to the inputs of a frame, just before it: a watcher of files, a person at a prompt.
+/// Adds to the inputs of a frame just before it: a watcher of files, or the prompt.
 class InputSource {
  public:
   virtual ~InputSource() = default;
@@ -27,19 +27,19 @@ struct RunParts {
   RobotInstance& robot;
   FrameLoop& engine;
   ScenarioHost* scenario = nullptr;        ///< needs an operator of the robot
-  RecordedBehaviors* behaviors = nullptr;  ///< what the scenario sees of them
+  RecordedBehaviors* behaviors = nullptr;  ///< the view of them for the scenario
   std::vector<InputSource*> sources;
   std::vector<Observer*> observers;
   std::function<bool()> stop;  ///< called after each frame; may be empty
-  double longest = 0.0;        ///< s of the robot's time, from its first frame on; 0: no limit
-  bool in_real_time = false;   ///< waits for the wall clock where the robot's own does not
+  double longest = 0.0;        ///< s of the robot's time, from its first frame; 0: no limit
+  bool in_real_time = false;   ///< waits for the wall clock if the robot does not
 };
 
 class RunLoop {
  public:
   explicit RunLoop(RunParts parts);
 
-  /// One frame. Nothing: the run continues.
+  /// Runs one frame. Nothing: the run continues.
   std::optional<RunEnd> step();
   /// Runs until the end, then notifies the observers.
   RunEnd run();

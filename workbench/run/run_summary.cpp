@@ -16,7 +16,7 @@ const char* words_of(RunEnd end) {
   }
 }
 
-/// Faster than a robot walks, turns or falls from one frame to the next.
+/// Whether the motion between two frames is faster than a robot walks, turns or falls.
 bool is_jump(const Pose2& from, const Pose2& to) {
   constexpr double kFar = 0.25;          // m
   constexpr double kTurned = kPi / 6.0;  // rad
@@ -79,7 +79,7 @@ void SummaryObserver::judge_reorientation(const FrameRecord& frame, const SceneT
   summary_.reorientations.push_back(judged);
 }
 
-/// A stretch of wrong belief may be interrupted by moments in which the belief was correct for a short while.
+/// A period of wrong belief may contain short times with a correct belief.
 void SummaryObserver::judge_belief(const FrameRecord& frame, const SceneTruth& scene) {
   constexpr double kStaysCorrect = 5.0;  // s
   const World& world = frame.world;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a run ended, against the truth: an observer that remembers a few numbers, however long the run is.
+// The result of a run compared with the truth: an observer with constant memory.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace reorient {
 
-/// How far a belief is from the truth.
+/// Error of a belief.
 struct PoseError {
   double position = 0.0;  ///< m
   double rotation = 0.0;  ///< rad, not negative
 };
 PoseError pose_error(const Pose2& belief, const Pose2& truth);
 
-/// Nearer to the truth than to its reflection, by what distinguishes the two: the direction, and close enough to count.
+/// Whether the belief is near the truth and has its direction, not that of the reflection.
 bool is_correct(const Pose2& belief, const Pose2& truth);
 
-/// One granted reorientation against the truth.
+/// One granted reorientation, judged by the truth.
 struct JudgedReorientation {
   double time = 0.0;  ///< s
   Reorientation reorientation = Reorientation::flip_pose;
@@ -35,18 +35,17 @@ struct JudgedReorientation {
 struct StoppedScript {
   std::string script;  ///< file, from the scripts' root
   int errors = 0;      ///< since it was last loaded
-  std::string last;    ///< the last of them, with its place
+  std::string last;    ///< the last error, with its position
 };
 
 /// The result; empty optionals for values that do not exist.
 struct RunSummary {
   bool succeeded = false;  ///< by the verdict of the scenario
-  std::string verdict;     ///< the scenario's words, or how the run ended without any
+  std::string verdict;     ///< text of the scenario, or how the run ended without a verdict
   bool correct = false;    ///< the belief is correct at the end
-  /// s, start of the last time that the belief was wrong after it had been correct, or after the robot was put
-  /// elsewhere.
+  /// s, start of the last period of wrong belief after a correct one, or after the operator moved the robot.
   std::optional<double> belief_wrong_at;
-  std::optional<double> corrected_after;  ///< s from then until it was correct and stayed so
+  std::optional<double> corrected_after;  ///< s from then until it was correct and stayed correct
   double wrong_seconds = 0.0;             ///< total time with a wrong belief, except while the robot was lifted
   std::optional<PoseError> error;         ///< at the end
   std::optional<PoseError> mean_error;    ///< of correct beliefs, while the robot was upright
@@ -82,10 +81,10 @@ class SummaryObserver : public Observer {
     std::string last;
     bool stopped = false;
   };
-  std::map<std::string, Faults> faults_;  ///< of each script that runs
+  std::map<std::string, Faults> faults_;  ///< of each running script
   bool may_be_wrong_ = false;             ///< the belief was correct before, or the operator moved the robot
   std::optional<Pose2> last_truth_;
-  std::optional<double> wrong_since_;  ///< start of the last stretch of wrong belief
+  std::optional<double> wrong_since_;  ///< start of the last period of wrong belief
   double last_wrong_ = 0.0;            ///< s
   PoseError sum_;                      ///< of correct beliefs' errors
   std::uint64_t summed_ = 0;           ///< frames

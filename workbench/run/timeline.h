@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The events of a run in words: commands, pauses, changes of state and notes.
+// The events of a run as text: commands, pauses, changes of state and notes.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct TimelineEvent {
   bool reorients = false;  ///< a granted flip, purge or reset
 };
 
-/// Of one frame, in their order: a change of state comes before the commands that it led to.
+/// The events of one frame in order: a change of state comes before the commands that it caused.
 std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const SceneTruth& scene);
 
 /// The commands and pauses of a run, in bounded memory: stores the latest of each machine and counts the older
@@ -31,16 +31,16 @@ class CommandHistory : public Observer {
  public:
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
-  /// All stored ones, in the order of time.
+  /// All stored events in order of time.
   std::vector<TimelineEvent> commands() const;
-  std::uint64_t dropped() const;  ///< number of those that are not stored
+  std::uint64_t dropped() const;  ///< number of events that are not stored
 
   static constexpr std::size_t kMostOfAMachine = 500;
   static constexpr std::size_t kMostMachines = 200;  ///< names may change with every edit
 
  private:
   struct Commands {
-    std::deque<std::pair<std::uint64_t, TimelineEvent>> kept;  ///< with their place among all
+    std::deque<std::pair<std::uint64_t, TimelineEvent>> kept;  ///< with their number among all events
     std::uint64_t count = 0;
   };
   Commands& commands_of(const std::string& machine);

@@ -110,8 +110,7 @@ void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInp
     case Kind::half_time:
       sides_changed = !sides_changed;
       external.half_time = !external.half_time;
-      if (external.initial_pose)
-        external.initial_pose->pose = reflect(external.initial_pose->pose);  // told just before
+      if (external.initial_pose) external.initial_pose->pose = reflect(external.initial_pose->pose);  // set just before
   }
 }
 

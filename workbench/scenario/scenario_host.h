@@ -24,7 +24,7 @@ struct ScenarioRecord {
   std::vector<LogRecord> logs;
   std::vector<FaultRecord> faults;
   std::vector<ReloadRecord> reloads;
-  std::optional<ScenarioVerdict> verdict;  ///< stays once it was given
+  std::optional<ScenarioVerdict> verdict;  ///< does not change after it was given
 
   const std::string& name(NameId id) const { return (*names)[id]; }
 
@@ -45,7 +45,7 @@ struct ScenarioView {
 /// The behaviors of a frame's record, for `behaviors.NAME.state`.
 class RecordedBehaviors : public MachineDirectory {
  public:
-  /// Both must outlive the next look.
+  /// Both must outlive the next read.
   void show(const NameTable& names, const std::vector<MachineStatus>& machines, const std::vector<NameId>& published,
             double time) {
     names_ = &names;
@@ -66,8 +66,8 @@ class RecordedBehaviors : public MachineDirectory {
 
 class ScenarioHost {
  public:
-  /// `name`: "mirrored_placement", or a file below the scripts' root. `behaviors`: what the scenario sees of those;
-  /// must outlive the host. `seed`: of what the scenario leaves to chance. Throws std::runtime_error (of a script:
+  /// `name`: "mirrored_placement", or a file below the scripts' root. `behaviors`: their view for the scenario;
+  /// must outlive the host. `seed`: of the scenario's random numbers. Throws std::runtime_error (of a script:
   /// ScriptError) with one line.
   ScenarioHost(ScriptTexts texts, const std::string& name, const std::vector<ParameterChange>& parameters,
                const MachineDirectory& behaviors, std::uint64_t seed = 1);
@@ -78,14 +78,14 @@ class ScenarioHost {
   /// Its setting.
   ScenarioSetting setting() const;
 
-  /// Once a frame, after it. The result is valid until the next call.
+  /// Call once after each frame. The result is valid until the next call.
   const ScenarioRecord& tick(const ScenarioView& view);
   const ScenarioRecord& record() const { return record_; }
 
   /// Applies edits of its files; the next record contains the results.
   void apply(std::span<const ScriptEdit> edits);
 
-  /// A change of one of its parameters; nothing: unknown name.
+  /// Changes one of its parameters; nothing: unknown name.
   std::optional<ParameterOutcome> change(const ParameterChange& change);
   const ParameterRegistry& parameters() const { return parameters_; }
   std::vector<const MachineDefinition*> machines() const { return host_.definitions(); }
@@ -100,12 +100,12 @@ class ScenarioHost {
   ScenarioRecord record_;
 };
 
-/// Does to the robot what was asked for, and adds to `told` what it is to be told. `sides_changed`: whether the axes of
-/// the action's pose are those of the operator turned by half; half-time changes it. `referee`: what was said last.
+/// Applies the action to the robot, and adds inputs for the robot to `told`. `sides_changed`: whether the pose of the
+/// action is in the operator's axes rotated by 180 degrees; half-time changes it. `referee`: the last state sent.
 void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInputs& external, bool& sides_changed,
                const RefereeState& referee);
 
-/// A pose in the axes of the hall, which are the team's of the first half, in those of the team; and back.
+/// Converts a pose from the axes of the hall (the team's axes in the first half) to the team's axes, and back.
 inline Pose2 in_axes_of_team(const Pose2& pose, bool sides_changed) { return sides_changed ? reflect(pose) : pose; }
 
 }  // namespace reorient

@@ -27,7 +27,7 @@ constexpr std::array<WorldField, 5> kTruthFields{{
     {"truth", "carried", "", "whether the robot is truly in the air", WorldField::Type::boolean, {}},
 }};
 
-/// Throws std::runtime_error with one line where there is no such name.
+/// Throws std::runtime_error with one line for an unknown name.
 template <typename Enum>
 Enum named(std::string_view name, const char* what) {
   std::vector<std::string> known;

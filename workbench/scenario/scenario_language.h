@@ -41,7 +41,7 @@ struct OperatorAction {
   double stops = 0.0;      ///< of set_exposure_compensation
   bool penalized = false;  ///< of penalize
   Message message{};       ///< of tell_message
-  RefereeState referee{};  ///< what of it the kind is about
+  RefereeState referee{};  ///< the field that the kind of action sets
 };
 template <typename Visit, ConstOr<OperatorAction> T>
 void fields(Visit&& visit, T& action) {
@@ -71,7 +71,7 @@ class ScenarioActions : public ScriptActions {
   void begin_frame(ScriptOutput& output, double time) override;
 
   const std::vector<OperatorAction>& actions() const { return actions_; }     ///< of this frame
-  const std::optional<ScenarioVerdict>& verdict() const { return verdict_; }  ///< stays once it was given
+  const std::optional<ScenarioVerdict>& verdict() const { return verdict_; }  ///< does not change after it was given
 
   void pick_up() { act({OperatorAction::Kind::pick_up, {}, 0.0, false}); }
   void put_down(double x, double y, double rotation);
@@ -87,7 +87,7 @@ class ScenarioActions : public ScriptActions {
   void set_initial_pose(double x, double y, double rotation);
   void tell_message(std::int64_t sender, std::string_view text);
   void half_time() { act({OperatorAction::Kind::half_time, {}, 0.0, false}); }
-  /// In [low, high): the same ones for the same seed, as long as the scenario asks for the same.
+  /// A number in [low, high): deterministic for the seed and the sequence of calls.
   double draw(double low, double high);
   void succeed(std::string_view text) { judge(true, text); }
   void fail(std::string_view text) { judge(false, text); }
@@ -121,7 +121,7 @@ class ScenarioLanguage : public ScriptLanguage {
   ScenarioActions actions_;
 };
 
-/// Appends the values of the language's fields; NaN where there is no truth.
+/// Appends the values of the language's fields; NaN without truth.
 void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth, std::vector<double>& values);
 
 /// For tests: as write_world(), for the table `truth`.

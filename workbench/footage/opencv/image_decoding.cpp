@@ -43,7 +43,7 @@ int reorient_decode_image(const void* bytes, size_t size, reorient_pixels* pixel
   silence();
   if (size == 0 || size > static_cast<size_t>(std::numeric_limits<int>::max())) return 1;
   try {
-    const cv::Mat encoded(1, static_cast<int>(size), CV_8UC1, const_cast<void*>(bytes));  // it is only read
+    const cv::Mat encoded(1, static_cast<int>(size), CV_8UC1, const_cast<void*>(bytes));  // read only
     decoded = cv::imdecode(encoded, cv::IMREAD_COLOR);
     return hand_over(decoded, pixels) ? 0 : 1;
   } catch (const std::exception&) {
