@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people labeled in images of a field: lines, posts, balls, and where no line point may be.
+// Labels of images of a field: lines, posts, balls, and areas without line points.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace reorient {
 using LabeledPixels = std::vector<Eigen::Vector2d>;
 
 struct LabeledPost {
-  Eigen::Vector2d base = Eigen::Vector2d::Zero();  ///< where it stands on the carpet, pixel
+  Eigen::Vector2d base = Eigen::Vector2d::Zero();  ///< its foot on the carpet, pixel
   Eigen::Vector2d top = Eigen::Vector2d::Zero();   ///< pixel
 };
 
@@ -30,15 +30,15 @@ struct LabeledBall {
   double radius = 0.0;                               ///< pixels
 };
 
-/// Of a file that is nothing but YUYV behind a header.
+/// Format of a file with YUYV after a header.
 struct RawFormat {
   int width = 0, height = 0;  ///< pixels
   std::size_t header = 0;     ///< bytes
 };
 
-/// Of one image.
+/// The labels of one image.
 struct FieldLabels {
-  std::string name;          ///< of the image, for people
+  std::string name;          ///< of the image, for the user
   std::string digest;        ///< of the file's bytes: digest_of()
   int width = 0;             ///< pixels of the image that the labels were made in; others are scaled to it
   double field_of_view = 0;  ///< rad, horizontal, of a camera without distortion
@@ -54,7 +54,7 @@ struct FieldLabels {
   std::vector<LabeledPixels> ignored;  ///< polygons in which a line point is neither right nor wrong
 };
 
-/// Of a file's bytes, 16 hexadecimal digits. Labels identify their image by it, independent of its name.
+/// Digest of a file's bytes, 16 hexadecimal digits. Labels identify their image by it, independent of its name.
 std::string digest_of(std::string_view bytes);
 
 /// Throws std::runtime_error with one line: file, line, what was expected, what was found.
@@ -62,7 +62,7 @@ std::vector<FieldLabels> parse_field_labels(std::string_view text, const std::st
 /// The same.
 std::vector<FieldLabels> load_field_labels(const std::filesystem::path& file);
 
-/// The labels of the image with that digest; none: there are no such.
+/// The labels of the image with that digest; null: no labels.
 const FieldLabels* labels_of(std::span<const FieldLabels> all, const std::string& digest);
 
 }  // namespace reorient

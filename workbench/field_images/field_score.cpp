@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Pixels of an image that is 640 wide.
+// In pixels of an image that is 640 pixels wide.
 constexpr double kUsualWidth = 640.0;
 constexpr double kLeastPiece = 12.0;
-constexpr double kOnLine = 4.0;       // how far a point may be from the middle of its line
+constexpr double kOnLine = 4.0;       // largest distance of a point from the middle of its line
 constexpr double kOnPost = 6.0;       // half the width of a post's mask
-constexpr double kPostFound = 10.0;   // how far the foot of a post may be off, sideways
-constexpr double kBorderFound = 8.0;  // how far the border may be off
+constexpr double kPostFound = 10.0;   // largest sideways error of the foot of a post
+constexpr double kBorderFound = 8.0;  // largest error of the border
 constexpr double kPieceLength = 0.1;  // m
 
 Vector2d point_between(const Vector2d& a, const Vector2d& b, double share) { return a + share * (b - a); }
@@ -67,7 +67,7 @@ bool is_in_image(const Vector2d& pixel, const CameraModel& camera) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= camera.width - 1.0 && pixel.y() <= camera.height - 1.0;
 }
 
-/// Pieces from the line's beginning on; a rest that is shorter belongs to no piece.
+/// Pieces from the start of the line; a shorter rest is left out.
 LineScore score_line(const LabeledPixels& line, const std::vector<Vector2d>& points, const GroundProjection& view,
                      double scale, double line_range) {
   LineScore score;
@@ -101,11 +101,11 @@ bool is_in_mask(const FieldLabels& labels, const Vector2d& point) {
 }
 
 struct Matches {
-  int found = 0;      ///< labels that something seen fits
-  int unlabeled = 0;  ///< seen, and fits no label
+  int found = 0;      ///< labels that a detection fits
+  int unlabeled = 0;  ///< detections that fit no label
 };
 
-/// `fits`: whether something seen belongs to a label.
+/// `fits`: whether a detection belongs to a label.
 template <typename Seen, typename Label, typename Fits>
 Matches match(const std::vector<Seen>& seen, const std::vector<Label>& labels, Fits&& fits) {
   Matches matches;
@@ -133,7 +133,7 @@ void score_posts(const FieldPercept& percept, const FieldLabels& labels, double 
   score.false_posts = matches.unlabeled;
 }
 
-/// Of the boards in a column, if any are labeled there.
+/// Lower edge of the boards in a column, if any are labeled there.
 std::optional<double> lower_edge(const std::vector<LabeledPixels>& boards, double column) {
   std::optional<double> lowest;
   for (const LabeledPixels& polygon : boards) {
@@ -158,7 +158,7 @@ void score_border(const FieldPercept& percept, const FieldLabels& labels, double
   }
 }
 
-/// An obstacle belongs to feet where its middle lies in their columns.
+/// An obstacle belongs to feet if its middle is within their columns.
 void score_obstacles(const FieldPercept& percept, const FieldLabels& labels, double to_labels, FieldScore& score) {
   const Matches matches = match(percept.obstacles, labels.feet, [&](const Obstacle& seen, const LabeledPixels& feet) {
     const double middle = to_labels * 0.5 * (seen.left + seen.right);
@@ -171,7 +171,7 @@ void score_obstacles(const FieldPercept& percept, const FieldLabels& labels, dou
   score.false_obstacles = matches.unlabeled;
 }
 
-/// Whether a square of this half width around a place is inside of the labeled image.
+/// Whether a square of this half width around a point is inside of the labeled image.
 bool is_whole(const FieldLabels& labels, const Vector2d& middle, double reach, double height) {
   return middle.x() >= reach && middle.y() >= reach && middle.x() + reach <= labels.width &&
          middle.y() + reach <= height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the field vision found in an image against what people labeled there.
+// Compares the percepts of the field vision in an image with its labels.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace reorient {
 
-/// Of one labeled line: in how many of its pieces a line point was found. Pieces are 0.1 m or more, and 12 pixels of an
-/// image of 640 or more. Those farther away than line points are looked for do not count.
+/// One labeled line: the number of its pieces in which a line point was found. Pieces are 0.1 m or more, and 12 pixels
+/// of an image of 640 or more. Pieces beyond the range of the line search do not count.
 struct LineScore {
   int pieces = 0;
   int found = 0;
@@ -31,7 +31,7 @@ struct FieldScore {
   int border_found = 0;     ///< of them, those in which the boundary is within 8 pixels of the boards' lower edge
   int robots = 0;           ///< labeled feet
   int robots_found = 0;     ///< of them, those with an obstacle on them
-  int false_obstacles = 0;  ///< on no feet
+  int false_obstacles = 0;  ///< not on labeled feet
   int balls = 0;            ///< labeled, the whole of which is in the image
   int balls_found = 0;
   int false_balls = 0;
@@ -48,7 +48,7 @@ FieldScore operator+(FieldScore a, const FieldScore& b);
 /// The camera that the labels describe, at the image's resolution.
 CameraModel camera_of(const FieldLabels& labels, int width, int height);
 
-/// `line_range`: m, how far away line points are looked for. `view`: where the percept was found from.
+/// `line_range`: m, range of the line search. `view`: the camera pose of the percept.
 FieldScore score_of(const FieldPercept& percept, const FieldLabels& labels, const GroundProjection& view,
                     double line_range);
 

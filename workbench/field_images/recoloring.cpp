@@ -74,7 +74,7 @@ Image recolored(const ImageView& image, const Recoloring& how) {
       double cb = 0.0, cr = 0.0;
       for (int i = 0; i < 2; ++i) {
         const Ycbcr in = image.at(x + i, y);
-        if (!changes_light) {  // exactly what it was
+        if (!changes_light) {  // unchanged bytes
           out[2 * i] = in.y;
           cb = in.cb - 128.0;
           cr = in.cr - 128.0;

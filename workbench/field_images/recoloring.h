@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same image as another camera, another white balance or another turf would have shown it.
+// Recolors an image as if taken with another camera, white balance or turf.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace reorient {
 
-/// In this order: the corners get darker, red and blue are multiplied, gamma; then, of chroma, the saturation and what
-/// is added.
+/// In this order: the corners get darker, red and blue are multiplied, gamma; then, of chroma, the saturation and the
+/// offset.
 struct Recoloring {
-  std::string name = {};      ///< for people
-  double vignetting = 0.0;    ///< by how much of its light a corner gets darker
-  double red = 1.0;           ///< times
-  double blue = 1.0;          ///< times
+  std::string name = {};      ///< for the user
+  double vignetting = 0.0;    ///< fraction of the light that the corners lose
+  double red = 1.0;           ///< factor
+  double blue = 1.0;          ///< factor
   double gamma = 1.0;         ///< exponent of red, green and blue
-  double saturation = 1.0;    ///< times
-  double cb = 0.0, cr = 0.0;  ///< added
+  double saturation = 1.0;    ///< factor
+  double cb = 0.0, cr = 0.0;  ///< offset
 };
 
-/// Those on which the field vision is judged, from none on.
+/// The recolorings on which the field vision is scored; the first changes nothing.
 std::vector<Recoloring> usual_recolorings();
 
 Image recolored(const ImageView& image, const Recoloring& how);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A colored banner that is hung on the wall of a room, as its model would be if it were learned again.
+// Adds a colored banner to the model of a room, as if the room were learned again with it.
 #pragma once
 
 #include "perception/room/background_model.h"
@@ -13,16 +13,16 @@ struct Banner {
   double width = 2.0;    ///< m, along the virtual wall
   double foot = 1.0;     ///< m above the ground
   double height = 1.5;   ///< m
-  int color = 2;         ///< bin of the histogram that all of it shows
+  int color = 2;         ///< bin of the histogram that contains its color
 };
 
-/// The colored bin (neither black nor white) of which the known tiles contain least.
+/// The colored bin (neither black nor white) that is rarest in the known tiles.
 int rarest_color(const BackgroundModel& model);
 
 /// "bright, blue and red above gray", as perception/room/color/color_histogram.h defines the bin.
 const char* color_in_words(int bin);
 
-/// Each known tile shows the banner where it covers it. Unknown tiles stay unknown.
+/// Known tiles contain the banner where it covers them. Unknown tiles stay unknown.
 SavedModel with_banner(const SavedModel& model, const Banner& banner);
 
 }  // namespace reorient

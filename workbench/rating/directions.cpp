@@ -13,9 +13,9 @@ namespace reorient {
 namespace {
 
 constexpr double kLookStep = 1.0 / 30.0;  // s
-constexpr int kLookFrames = 30;           // a look of 1 s
+constexpr int kLookFrames = 30;           // an observation of 1 s
 
-/// What the mirrored robot takes the column for: the tiles on the other side, with the looks at the real ones.
+/// The column as a mirrored robot sees it: tiles of the other side with observations of the real ones.
 std::vector<PerceivedTile> column_as_believed(int column, const Wall& wall, const Looks& looks) {
   std::vector<PerceivedTile> tiles;
   for (int row = 0; row < wall.rows(); ++row) {
@@ -30,7 +30,7 @@ std::vector<PerceivedTile> column_as_believed(int column, const Wall& wall, cons
 
 double evidence_of(int column, const RatedModel& model, const EvidenceParameters& parameters, const Looks& looks) {
   ViewpointScores scores;
-  // No tolerance: the tiles of a view move together, while a single column would find a shift of its own.
+  // No tolerance: the tiles of a view shift together, but a single column would choose its own shift.
   scores.compute(column_as_believed(column, model.wall, looks), model.compared, model.wall, model.comparison, 0);
   Evidence evidence;
   evidence.restart(model.wall.tiles());
@@ -46,7 +46,7 @@ double known_part(int column, const RatedModel& model) {
   return static_cast<double>(known) / model.wall.rows();
 }
 
-/// Each with the mean of its own log-odds and those of its two neighbors.
+/// Smooths: the mean of each column's log-odds and those of its two neighbors.
 std::vector<DirectionRating> smoothed(const std::vector<DirectionRating>& all) {
   std::vector<DirectionRating> result = all;
   const std::size_t count = all.size();
@@ -57,7 +57,7 @@ std::vector<DirectionRating> smoothed(const std::vector<DirectionRating>& all) {
   return result;
 }
 
-/// In this order, leaving out what is near an earlier one.
+/// Takes columns in this order, without those near an earlier one.
 std::vector<DirectionRating> apart(const std::vector<DirectionRating>& sorted, int count) {
   const double least = from_degrees(45.0) - 1e-9;
   std::vector<DirectionRating> chosen;

@@ -24,7 +24,7 @@ void take_overrides(ParameterRegistry& registry, const RatedRobot& robot) {
   for (const ParameterChange& change : robot.parameters) registry.set_early(change);
 }
 
-/// RoomAwareness behind the images.
+/// RoomAwareness without images.
 class SyntheticAwareness {
  public:
   SyntheticAwareness(const RatedModel& model, const CoreParameters& core)
@@ -111,7 +111,7 @@ bool is_flip(const Arbitration& decided) {
   return decided.granted && decided.granted->request.reorientation == Reorientation::flip_pose;
 }
 
-/// s of training are those of the model: nothing is learned meanwhile.
+/// The training time in s is that of the model, because nothing is learned during the trial.
 World world_in_the_hands(const RatedRobot& robot, const RatedModel& model, const Pose2& belief) {
   World world = world_of(robot.field, robot.body);
   world.pose.pose = belief;
@@ -179,7 +179,7 @@ PutDownResult put_down(const PutDown& how, const RatedRobot& robot, const RatedM
   const int landing = static_cast<int>(std::lround((how.lowering + brain.core().posture.lifted_time) / kStep));
   for (int frame = 0; frame <= last; ++frame) {
     tracker.begin_frame(frame * kStep);
-    // Nothing is compared before the landing, so the landing restarts nothing.
+    // No comparison runs before the landing, so the landing restarts nothing.
     tracker.take_posture(frame < landing ? SensedPosture{Posture::lifted, Posture::upright, 0.0}
                                          : SensedPosture{Posture::upright, Posture::lifted, landing * kStep});
     tracker.permit_views(brain.decided(), true);

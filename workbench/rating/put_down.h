@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A robot that is placed on the field, with a right or a mirrored belief, and sees a room of which only the model is
+// A robot that is placed on the field, with a right or a mirrored belief, in a room of which only the model is
 // known: how long until it flips its belief? Scripts, arbiter, evidence and choice of views are the real ones. Only the
-// images are left out: the histograms of the tiles are drawn from the model.
+// images are missing: the histograms of the tiles are drawn from the model.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct RatedRobot {
   FieldDimensions field;
   RobotBody body;
   ScriptTexts scripts{"the scripts"};
-  std::vector<std::string> behaviors;       ///< that are loaded, as in FrameSetup
+  std::vector<std::string> behaviors;       ///< loaded behaviors, as in FrameSetup
   std::vector<ParameterChange> parameters;  ///< overrides of the engine's and of those scripts'
 };
 
@@ -37,12 +37,12 @@ struct DecisionLimits {
   double unconfirmed = 0.0;   ///< log-odds, after a disturbance
   double confirmed = 0.0;     ///< log-odds, while nothing disturbs the robot
   double disturbances = 0.0;  ///< per hour
-  double looks = 0.0;         ///< per hour: how often all of the evidence is replaced while nothing disturbs the robot
+  double looks = 0.0;         ///< per hour: rate at which all of the evidence is replaced without a disturbance
 };
 /// Empty: the scripts have no such parameters. Throws as put_down() does.
 std::optional<DecisionLimits> decision_limits_of(const RatedRobot& robot);
 
-/// A model, made ready to be compared with, and what follows from it alone. The wall is the model's own.
+/// A model that is prepared for comparison, with the values that depend on it alone. Uses the model's own wall.
 struct RatedModel {
   RatedModel(const SavedModel& model, const CoreParameters& core);
 
@@ -54,27 +54,27 @@ struct RatedModel {
   double separability = 0.0;         ///< probability (perception/room/separability.h)
   double separability_weight = 0.0;  ///< of the evidence
 
-  /// Before any look.
+  /// The evidence before any observation.
   Confidences confidences() const;
-  /// As long as the robot stands and looks around: usable, unlearned or symmetric.
+  /// The status while the robot stands and looks around: usable, unlearned or symmetric.
   RoomStatus status(const RoomStatusParameters& parameters) const;
 };
 
 struct PutDown {
   bool is_mirrored = true;  ///< the robot believes the mirrored pose
   double head_yaw = 0.0;    ///< rad, at the beginning
-  double lowering = 0.66;   ///< s, from the beginning until the feet carry the robot: of the simulator, on average
-  double limit = 30.0;      ///< s, from the beginning, when it ends at the latest
+  double lowering = 0.66;   ///< s, from the start until the feet carry the robot; average of the simulator
+  double limit = 30.0;      ///< s, longest duration
 };
 
 struct PutDownResult {
-  std::optional<double> flipped_after;  ///< s, from the beginning; empty: not within the limit
-  double most_evidence = 0.0;           ///< log-odds of the mirrored pose against the believed pose, the greatest
+  std::optional<double> flipped_after;  ///< s, from the start; empty: not within the limit
+  double most_evidence = 0.0;           ///< largest log-odds of the mirrored pose against the believed pose
   bool has_evaluated = false;           ///< the behaviors permitted the evaluation, because the room is learned
 };
 
-/// From the moment in which the operator begins to place the robot. `visible`: from the believed pose. `looks`: at the
-/// room's tiles, under their own numbers. Throws std::runtime_error (of a script: ScriptError) with one line.
+/// Starts when the operator begins to place the robot. `visible`: from the believed pose. `looks`: observations of the
+/// room's tiles, by tile number. Throws std::runtime_error (of a script: ScriptError) with one line.
 PutDownResult put_down(const PutDown& how, const RatedRobot& robot, const RatedModel& model, const Looks& looks,
                        VisibleTiles& visible);
 

@@ -13,10 +13,10 @@ namespace reorient {
 namespace {
 
 constexpr int kPlacesOfBanners = 24;
-constexpr double kLeastGain = 0.02;  // of the mean time: less would be chance
-constexpr int kDirectionDraws = 16;  // of looks, for the directions
+constexpr double kLeastGain = 0.02;  // of the mean time: a smaller gain may be random
+constexpr int kDirectionDraws = 16;  // of observations, for the directions
 
-/// One robot of the rating: the same for each model that it is placed before.
+/// One robot of the rating, with the same values for each model.
 struct Placement {
   VisibleTiles visible;
   double head_yaw = 0.0;  // rad
@@ -38,7 +38,7 @@ Pose2 random_pose(const FieldDimensions& field, const Wall& wall, Random& random
 std::vector<Placement> placements(const RatedRobot& robot, const Wall& wall, const CoreParameters& core,
                                   const RatingOptions& options) {
   constexpr double kWidestScan = 1.1;                           // rad
-  constexpr double kLeastLowering = 0.42, kMostLowering = 0.9;  // s, as of the simulator's hands
+  constexpr double kLeastLowering = 0.42, kMostLowering = 0.9;  // s, as in the simulator
   std::vector<Placement> all;
   for (int trial = 0; trial < options.trials; ++trial) {
     Random random(options.seed, static_cast<std::uint64_t>(trial));
@@ -50,13 +50,13 @@ std::vector<Placement> placements(const RatedRobot& robot, const Wall& wall, con
   return all;
 }
 
-/// Everything that does not change from model to model.
+/// The values that are the same for all models.
 struct Rating {
   const RatedRobot& robot;
   const RatingOptions& options;
   const std::function<bool()>& stop;
   CoreParameters core;
-  double scale = 0.0;  // of the looks
+  double scale = 0.0;  // of the observations
   std::vector<Placement> placements;
 
   bool is_stopped() const { return stop && stop(); }
@@ -89,13 +89,13 @@ CorrectionTimes correction_times(Rating& rating, const RatedModel& model, std::s
   if (!corrected.empty()) times.mean = sum / times.corrected;
   times.mean_up_to_limit = (sum + how.limit * (times.trials - times.corrected)) / times.trials;
   std::sort(corrected.begin(), corrected.end());
-  const auto rank = static_cast<std::size_t>(std::ceil(0.9 * times.trials));  // from 1 on
+  const auto rank = static_cast<std::size_t>(std::ceil(0.9 * times.trials));  // starts at 1
   if (rank <= corrected.size()) times.within_90 = corrected[rank - 1];
   return times;
 }
 
-/// Probability that a normal number is greater than this many standard deviations, to 0.3 % of itself (Borjesson and
-/// Sundberg 1979).
+/// Probability that a normal number is greater than this many standard deviations, with a relative error of 0.3 %
+/// (Borjesson and Sundberg 1979).
 double upper_tail(double deviations) {
   if (deviations < 0.0) return 1.0 - upper_tail(-deviations);
   constexpr double kA = 1.0 / kPi, kB = 2.0 * kPi;
@@ -128,7 +128,7 @@ FalseFlips false_flips(Rating& rating, const RatedModel& model) {
     constexpr double kLeastDeviation = 1e-6;
     return upper_tail((limit - found.mean_evidence) / std::max(found.evidence_deviation, kLeastDeviation));
   };
-  // The flips that were seen count as well, where the tail of a normal distribution is too thin for them.
+  // Observed flips count as well, in case the tail of the normal distribution underestimates them.
   const double unconfirmed =
       std::max(probability(limits->unconfirmed), static_cast<double>(found.flips) / found.trials);
   found.per_hour = limits->disturbances * unconfirmed + limits->looks * probability(limits->confirmed);
@@ -205,7 +205,7 @@ RoomRating rate_room(const SavedModel& model, const RatedRobot& robot, const Rat
     result.false_flips = false_flips(rating, rated);
   }
   result.verdict = verdict_of(status, result.times);
-  // Of a room that is hardly known, a banner would be most of what is known: that does not rate the room.
+  // In a room that is hardly known, a banner would dominate the known part and the rating.
   if (options.banner_width > 0.0 && result.verdict != RoomVerdict::unlearned)
     result.banner = rate_banners(rating, model, rated);
   return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles of the wall a robot sees that stands at one place and turns its head.
+// The tiles of the wall in view of a robot that stands at one position and rotates its head.
 #pragma once
 
 #include <map>
@@ -16,11 +16,11 @@ namespace reorient {
 
 class VisibleTiles {
  public:
-  /// `pose`: where the robot believes that it stands, field_from_robot, its torso upright.
+  /// `pose`: believed pose (field_from_robot) with an upright torso.
   VisibleTiles(const RobotBody& body, const Wall& wall, const PerceptionParameters& parameters, const Pose2& pose);
 
   /// In the images of the upper camera, 160 pixels wide; the histograms are those of a black image. The head's angles
-  /// are rounded to 0.03 rad, and each view is found only once.
+  /// are rounded to 0.03 rad, and each view is computed only once.
   const std::vector<PerceivedTile>& at(const HeadAngles& head);
 
   const Pose2& pose() const { return pose_; }

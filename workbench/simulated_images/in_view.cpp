@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRim = 0.03;  // of the image's width, along its edges: what is there is not asked for
+constexpr double kRim = 0.03;  // of the image's width, along its edges: objects there do not count
 
 struct Shot {
   const Simulator& simulator;
@@ -32,11 +32,11 @@ struct Shot {
     }
     return seen;
   }
-  /// Of a pixel, in the labels and the depths.
+  /// Index of a pixel in the labels and the depths.
   std::size_t index_of(const Vector2d& seen) const {
     return static_cast<std::size_t>(std::lround(seen.y()) * frame.image.width + std::lround(seen.x()));
   }
-  /// Whether nothing nearer by half a meter hides it.
+  /// Whether no object that is nearer by half a meter hides it.
   bool is_in_front(const Vector2d& place, double height) const {
     constexpr double kBehind = 0.5;  // m
     const auto seen = pixel(place, height);
@@ -45,7 +45,7 @@ struct Shot {
     const double far = frame.camera.is_perspective() ? point.x() : point.norm();
     return simulator.depth()[index_of(*seen)] > far - kBehind;
   }
-  /// Whether the image shows the label at a place (m, robot frame).
+  /// Whether the image shows the label at a point (m, robot frame).
   bool shows(const Vector2d& place, double height, Label label) const {
     const auto seen = pixel(place, height);
     return seen && simulator.labels()[index_of(*seen)] == label;
@@ -149,7 +149,7 @@ FieldInView field_in_view(const Simulator& simulator, const CameraFrame& frame, 
     intersection.clearly = shot.shows(intersection.position, 0.0, Label::line);
     for (const Vector2d& arm : arms_of(one.kind, one.direction)) {
       Vector2d end = one.position + kArm * arm;
-      // Along the circle, which does not run straight on.
+      // Follows the circle instead of a straight line.
       if (one.kind == IntersectionKind::x && std::abs(arm.y()) < 0.5)
         end = field.center_circle_radius * end.normalized();
       intersection.clearly = intersection.clearly && shot.shows(shot.in_robot(end), 0.0, Label::line);

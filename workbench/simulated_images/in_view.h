@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of the field is in view of the simulated camera, by the simulator's own labels: what the field vision is
-// measured against.
+// The field features in view of the simulated camera, by the simulator's own labels: the reference for the field
+// vision.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace reorient {
 
-/// Where it is in the robot frame, m; `clearly`: whether the image shows enough of it to count.
+/// Position in the robot frame, m; `clearly`: whether enough of it is in view to count.
 struct Thing {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   bool clearly = false;
@@ -26,12 +26,12 @@ struct IntersectionInView : Thing {
   double direction = 0.0;  ///< rad, robot frame
 };
 
-/// All of the field and on it, whether in view or not: a percept that is off the image's edge is not a false one.
+/// All objects and features of the field, also those out of view, so that percepts at the image's edge are not false.
 struct FieldInView {
   std::vector<Thing> line_places;  ///< 0.1 m apart, only those in view
   std::vector<Thing> goal_posts;   ///< foot and half a meter above it are clear
-  std::vector<Thing> robots;       ///< the side to the camera; clear where the feet are, and no other robot hides them
-  std::vector<IntersectionInView> intersections;  ///< clear with 0.3 m of each arm
+  std::vector<Thing> robots;       ///< the side toward the camera; clear at the feet, without another robot before them
+  std::vector<IntersectionInView> intersections;  ///< clear along 0.3 m of each arm
   std::vector<Thing> penalty_marks;               ///< clear with some carpet all around
   std::optional<Thing> center_circle;             ///< a third of its line is clear
   std::optional<Thing> ball;                      ///< the whole of it is clear
@@ -42,7 +42,8 @@ struct FieldInView {
 /// `frame`: the upper camera's latest image, which the simulator must have labels of.
 FieldInView field_in_view(const Simulator& simulator, const CameraFrame& frame, const FieldDimensions& field);
 
-/// From the middle of the nearest line, circles and arcs included (m); `normal`: rad, of that line, field frame.
+/// Distance from the middle of the nearest line, circles and arcs included (m); `normal`: rad, of that line, field
+/// frame.
 struct LineNearby {
   double distance = 0.0;
   double normal = 0.0;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kLooks = 3;
 constexpr int kPutDown = 30;   // frames, until the robot stands
-constexpr int kSettle = 12;    // frames, in which the head arrives and the exposure follows
-constexpr int kBetween = 4;    // frames between two images of a head that turns
+constexpr int kSettle = 12;    // frames until the head has arrived and the exposure has adapted
+constexpr int kBetween = 4;    // frames between two images of a rotating head
 constexpr double kFast = 8.0;  // rad/s
 constexpr double kYaw = 1.0;   // rad to either side
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulated robot looks about from many places of the field: the images on which the field vision is measured.
+// A simulated robot looks around from many positions on the field: the images for scoring the field vision.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace reorient {
 
 struct LookAround {
-  int places = 30;    ///< from each the robot takes three images
-  double gaze = 0.0;  ///< rad/s, how fast the head turns meanwhile; 0: it stands still
+  int places = 30;    ///< number of positions, with three images from each
+  double gaze = 0.0;  ///< rad/s, rotation speed of the head; 0: still
   std::uint64_t seed = 1;
 };
 
-/// Moves robot and ball about, the ball before the robot and within the lines. With the true place of the camera, so
-/// that the vision is measured alone. The hall's light changes at each place.
+/// Moves robot and ball; the ball is before the robot and within the lines. Uses the true camera pose, so that only the
+/// vision is scored. The hall's light changes at each place.
 PerceptScore look_around(Simulator& simulator, FieldFeatures& features, const FieldDimensions& field,
                          const FieldFeatureParameters& parameters, const LookAround& look);
 

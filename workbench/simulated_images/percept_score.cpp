@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kTwisted = from_degrees(20.0);      // of an intersection that points elsewhere
+constexpr double kTwisted = from_degrees(20.0);      // of an intersection with a wrong direction
 constexpr double kTwistedLine = from_degrees(10.0);  // of a line point
 
-/// How far a percept may be from what it is of, m: a part that does not depend on the distance, and one that does.
+/// Largest error of a percept, m: a constant part and a part proportional to the distance.
 struct Tolerance {
   double fixed, share;
   double at(double distance) const { return fixed + share * distance; }
@@ -43,7 +43,7 @@ struct Counter {
     ++counts->in_view;
     counts->found += found ? 1 : 0;
   }
-  /// `truth`: what the percept is of; nothing: it is false.
+  /// `truth`: the object of the percept; nothing: it is false.
   void report(const Vector2d& position, const std::optional<Vector2d>& truth,
               const Eigen::Matrix2d* covariance = nullptr) const {
     PerceptCounts* const counts = at(position);
@@ -60,7 +60,7 @@ struct Counter {
   }
 };
 
-/// The nearest of `things` within the tolerance that fits.
+/// The nearest fitting one of `things` within the tolerance.
 template <typename T, typename Fits>
 const T* nearest_of(const std::vector<T>& things, const Vector2d& position, const Tolerance& tolerance, Fits&& fits) {
   const T* nearest = nullptr;
@@ -82,7 +82,7 @@ bool is_same(const Intersection& seen, const IntersectionInView& there) {
   return std::abs(seen.kind == IntersectionKind::x ? std::remainder(turned, 0.5 * kPi) : turned) < kTwisted;
 }
 
-/// Percepts that have a position, of things that have one.
+/// Scores percepts with a position.
 template <typename P, typename T, typename Fits>
 void count(const Counter& counter, const std::vector<P>& percepts, const std::vector<T>& things,
            const Tolerance& tolerance, Fits&& fits) {
@@ -122,10 +122,10 @@ void count_lines(const Counter& counter, const FieldPercept& percept, const Fiel
   }
 }
 
-/// Of what is so near that the image ends above its foot, nothing but the direction is known.
+/// Only the direction is known of an object that is so near that its foot is below the image.
 void count_obstacles(const Counter& counter, const std::vector<Obstacle>& percepts, const std::vector<Thing>& things,
                      int bottom_row) {
-  constexpr double kFootNotInView = 1.2;  // m, of a foot that is farther away the image shows the ground before it
+  constexpr double kFootNotInView = 1.2;  // m; the image shows the ground before a foot that is farther away
   std::vector<Obstacle> moved = percepts;
   for (Obstacle& obstacle : moved) {
     if (obstacle.bottom < bottom_row) continue;
@@ -138,7 +138,7 @@ void count_obstacles(const Counter& counter, const std::vector<Obstacle>& percep
   count(counter, moved, things, kRobot, [](const auto&, const auto&) { return true; });
 }
 
-/// Places along the posts and the frame that holds the net, field frame: an obstacle there is right.
+/// Points along the posts and the net's frame, field frame: obstacles there are right.
 std::vector<Vector2d> frame_of_goals(const FieldDimensions& field) {
   constexpr int kSteps = 4;
   std::vector<Vector2d> places;
