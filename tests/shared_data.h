@@ -20,7 +20,7 @@ class SharedDataTest : public testing::Test {
     const char* const root = std::getenv("REORIENT_SHARED");
     if (root == nullptr || *root == '\0') GTEST_SKIP() << "REORIENT_SHARED is not set";
     if (!std::filesystem::is_directory(std::filesystem::path(root) / name_)) {
-      GTEST_SKIP() << "REORIENT_SHARED=" << root << " does not contain " << name_ << "/";
+      GTEST_SKIP() << "REORIENT_SHARED=" << root << ": missing folder " << name_ << "/";
     }
     folder_ = std::filesystem::path(root) / name_;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A temporary folder for one test, removed afterwards.
+// A folder for one test, which is removed at the end.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Writes a file in place, as many editors save. Creates missing folders.
+  /// Writes the file in place, as many editors do. Creates missing folders.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
     std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -34,7 +34,7 @@ class TemporaryFolder {
     return file;
   }
 
-  /// Writes a new file and renames it to the old name, as other editors save.
+  /// Writes a second file and renames it to this one, as other editors do.
   void write_by_rename(const std::filesystem::path& name, std::string_view text) const {
     const std::filesystem::path beside = write(name.string() + ".new", text);
     std::filesystem::rename(beside, path_ / name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lets a test start its own program again.
+// Starts the program of the test in another process.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace reorient {
 
-/// The command line for a shell. An emulator runs a program for another type of processor (cmake/targets.cmake).
+/// The command for a shell. An emulator runs a program for another type of processor (cmake/targets.cmake).
 inline std::string this_program() {
   std::string command;
 #ifdef REORIENT_EMULATOR

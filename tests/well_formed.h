@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks whether a text is well-formed XML, for the subset that Reorient's pages use: elements, attributes in double
-// quotes, entities.
+// Checks that a text is well-formed XML, for the subset that the project writes: elements, attributes in double quotes,
+// entities.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@
 
 namespace reorient {
 
-/// The error in a text between two elements or in the value of an attribute; empty if it is valid.
+/// The error in a text between two elements or in the value of an attribute; empty: no error.
 inline std::string mistake_in_text(std::string_view text) {
   constexpr std::array<std::string_view, 5> kEntities{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto code = static_cast<unsigned char>(text[i]);
-    if ((code < ' ' && text[i] != '\n') || code == 0x7F) return "a control character";
-    if (text[i] == '<') return "a bare <";
+    if ((code < ' ' && text[i] != '\n') || code == 0x7F) return "unexpected control character";
+    if (text[i] == '<') return "unexpected <";
     bool is_entity = false;
     for (const std::string_view entity : kEntities) is_entity |= text.substr(i).starts_with(entity);
-    if (text[i] == '&' && !is_entity) return "a bare &";
+    if (text[i] == '&' && !is_entity) return "unexpected &";
   }
   return "";
 }
 
-/// The error in the attributes of a tag, which follow the element's name: ` a="b" c="d"`.
+/// The error in the part of a tag after the element's name: ` a="b" c="d"`.
 inline std::string mistake_in_attributes(std::string_view text) {
   constexpr std::string_view kName = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
   while (!text.empty()) {
@@ -35,7 +35,7 @@ inline std::string mistake_in_attributes(std::string_view text) {
     if (text.substr(1, equals - 1).find_first_not_of(kName) != std::string_view::npos)
       return "invalid name of an attribute";
     const std::size_t end = text.find('"', equals + 2);
-    if (end == std::string_view::npos) return "attribute value without an end";
+    if (end == std::string_view::npos) return "value without an end";
     if (std::string mistake = mistake_in_text(text.substr(equals + 2, end - equals - 2)); !mistake.empty())
       return mistake;
     text.remove_prefix(end + 1);
@@ -43,7 +43,7 @@ inline std::string mistake_in_attributes(std::string_view text) {
   return "";
 }
 
-/// One line about the first error; empty if the page is well-formed.
+/// One line about the first error; empty: no error.
 inline std::string mistake_in_markup(std::string_view page) {
   if (!is_utf8(page)) return "invalid UTF-8";
   constexpr std::string_view kDoctype = "<!DOCTYPE html>\n";
@@ -59,7 +59,7 @@ inline std::string mistake_in_markup(std::string_view page) {
     page.remove_prefix(end + 1);
     if (tag.starts_with('/')) {
       if (open.empty() || open.back() != tag.substr(1))
-        return "closing tag of an element that is not open: " + std::string(tag);
+        return "end tag of an element that is not open: " + std::string(tag);
       open.pop_back();
       continue;
     }
@@ -72,7 +72,7 @@ inline std::string mistake_in_markup(std::string_view page) {
       return mistake + " in " + std::string(tag);
     if (!is_single) open.push_back(name);
   }
-  return open.empty() ? "" : "element without an end: " + std::string(open.back());
+  return open.empty() ? "" : "missing end tag of " + std::string(open.back());
 }
 
 }  // namespace reorient

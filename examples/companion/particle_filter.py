@@ -47,7 +47,8 @@ class ParticleFilter:
             for bearing, distance in posts:
                 error = min((math.remainder(angle - bearing, 2 * math.pi) / 0.09) ** 2 + ((far / distance - 1) / 0.25) ** 2
                             for angle, far in expected)
-                one[3] *= 0.02 + math.exp(-0.5 * error)  # limits the weight, because the errors of successive frames are not independent
+                # 0.02 limits the effect of one frame, because the errors of successive frames are not independent.
+                one[3] *= 0.02 + math.exp(-0.5 * error)
         total = sum(one[3] for one in self.particles)
         for one in self.particles:
             one[3] /= total

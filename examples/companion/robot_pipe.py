@@ -24,7 +24,7 @@ class RobotPipe:
             if is_over:
                 return
             yield Measurements(time, tuple(felt[:3]), tuple(felt[3:13]), felt[13], tuple(felt[14:17]) if is_told else None,
-                       list(zip(felt[21:21 + posts], felt[25:])))
+                               list(zip(felt[21:21 + posts], felt[25:])))
 
     def image(self):
         return self.process.stdout.read(2 * self.width * self.height)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The companion as teams meet it: the program in a process of its own, the examples' clients in others, and a robot
-// that is the simulator behind a pipe.
+// The companion as teams use it: the program in one process, the clients of the examples in other processes, and the
+// simulator as the robot, connected by pipes.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -40,7 +40,8 @@ class CompanionClient : public ::testing::TestWithParam<Setting> {
   std::string socket() const { return (folder_.path() / "s").string(); }
   std::vector<std::string> server() const { return {"run", "--robot", "companion", "--socket", socket()}; }
 
-  /// The main job with a client: `learn` seconds to learn the room, then `after` in which the belief has to come right.
+  /// The default scenario with a client: `learn` seconds to learn the room, then `after` seconds in which the belief
+  /// must be corrected.
   static std::string play(const Setting& setting, const std::string& socket, int learn, int after, int pace = 1000) {
     return setting.client + " " + socket + " " + setting.way + " " + kTestRobot + " " + kSource + "/assets/robots/" +
            setting.body + ".toml " + kSource + "/assets/fields/" + setting.field + ".toml 1 160 " +
@@ -50,7 +51,7 @@ class CompanionClient : public ::testing::TestWithParam<Setting> {
   TemporaryFolder folder_;
 };
 
-TEST_P(CompanionClient, EndsRightAfterItsRobotWasMirrored) {
+TEST_P(CompanionClient, EndsWithACorrectBeliefAfterTheRobotWasMirrored) {
   const std::string recording = (folder_.path() / "run.mcap").string();
   {
     std::vector<std::string> words = server();
@@ -79,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(All, CompanionClient,
                                            Setting{"PythonWithOurs", kPython, "ours", "nao-v6", "spl"}),
                          [](const auto& one) { return std::string(one.param.name); });
 
-/// Beside a client that plays the main job. Its robot keeps learning until the test has it lifted, or has ended: the
-/// job lasts as long as the test needs, on any machine.
+/// Controls the robot of a client that runs the default scenario. The robot learns until the test requests a lift or
+/// ends, so that the scenario lasts long enough on any machine.
 class HeldRobot {
  public:
   explicit HeldRobot(const std::filesystem::path& folder) : lift_(folder / "lift"), heartbeat_(folder / "heartbeat") {}
@@ -88,12 +89,12 @@ class HeldRobot {
   HeldRobot(const HeldRobot&) = delete;
   HeldRobot& operator=(const HeldRobot&) = delete;
 
-  /// To stand before the command in a shell.
+  /// The prefix of a command in a shell.
   std::string environment() const {
     return "REORIENT_LIFT_WHEN=" + lift_.string() + " REORIENT_HEARTBEAT=" + heartbeat_.string() + " ";
   }
   void lift() const { std::ofstream(lift_) << '\n'; }
-  /// Its client has handed a frame back, whether there is a companion or not.
+  /// Waits until the client has processed a frame, with or without a companion.
   bool await_frame() const {
     return await([this] { return std::filesystem::exists(heartbeat_); });
   }
@@ -102,13 +103,14 @@ class HeldRobot {
   std::filesystem::path lift_, heartbeat_;
 };
 
-/// When the companion has saved its state; the least time: never.
+/// Time at which the companion has saved its state; the smallest time: never.
 std::filesystem::file_time_type saved_at(const std::string& socket) {
   std::error_code missing;
   return std::filesystem::last_write_time(socket + ".state", missing);
 }
 
-/// Waits until the companion has begun and ended a save. One save may have begun before; a second one has not.
+/// Waits until the companion has started and finished a save. The first save may have started before the call, so it
+/// waits for two.
 bool await_whole_save(const std::string& socket) {
   const auto await_save = [&] {
     const auto before = saved_at(socket);
@@ -127,8 +129,8 @@ TEST_F(CompanionClient, ContinuesWithACompanionThatWasKilledAndRestarted) {
     const ChildProgram companion(folder_.path(), server());
     ASSERT_TRUE(companion.await("waiting for a client"));
     client = std::async(std::launch::async, [&] { return std::system(job.c_str()); });
-    ASSERT_TRUE(companion.await("trusting/")) << companion.out();  // the room is learned
-    ASSERT_TRUE(await_whole_save(socket())) << companion.err();    // and kept
+    ASSERT_TRUE(companion.await("trusting/")) << companion.out();  // the room must be learned
+    ASSERT_TRUE(await_whole_save(socket())) << companion.err();    // and saved
     companion.kill(SIGKILL);
   }
   const ChildProgram companion(folder_.path(), server());
@@ -137,7 +139,7 @@ TEST_F(CompanionClient, ContinuesWithACompanionThatWasKilledAndRestarted) {
   EXPECT_EQ(client.get(), 0) << companion.out() << companion.err();
 }
 
-TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
+TEST_F(CompanionClient, ConnectsToACompanionThatStartsLater) {
   const Setting setting{"", kC, "ours", "nao-v6", "spl"};
   std::future<int> client;
   const HeldRobot robot(folder_.path());
@@ -147,13 +149,13 @@ TEST_F(CompanionClient, FindsItsWayToACompanionThatComesLater) {
   const ChildProgram companion(folder_.path(), server());
   EXPECT_TRUE(companion.await("client connected")) << companion.err();
   robot.lift();
-  // It may end before the room is learned. Then the robot stays wrong: 1.
+  // The scenario may end before the room is learned. Then the belief stays wrong, and the exit code is 1.
   const int status = client.get();
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) <= 1) << status << companion.out() << companion.err();
 }
 
-/// Whether it is welcomed to what was known before; nothing: its frames are not answered.
-std::optional<bool> continues(const std::string& socket, const reorient_hello& hello) {
+/// Whether the welcome reports saved knowledge; nothing: the frames are not answered.
+std::optional<bool> knows_client(const std::string& socket, const reorient_hello& hello) {
   RawClient client(socket);
   client.introduce(hello);
   std::optional<bool> welcomed;
@@ -170,36 +172,36 @@ std::optional<bool> continues(const std::string& socket, const reorient_hello& h
   return await(is_answered, std::chrono::milliseconds(30)) ? welcomed : std::nullopt;
 }
 
-TEST_F(CompanionClient, FindsWhatWasKnownThoughAnotherRobotWasThereMeanwhile) {
+TEST_F(CompanionClient, FindsItsKnowledgeAfterAnotherRobotWasConnected) {
   ChildProgram companion(folder_.path(), server());
   ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
   const reorient_hello one = small_hello(1);
   reorient_hello other = small_hello(2);
   other.body.yaw_limit = 0.5;
-  EXPECT_EQ(continues(socket(), one), false);
+  EXPECT_EQ(knows_client(socket(), one), false);
   {
     RawClient curious(socket());
     curious.introduce(other);
   }
-  EXPECT_EQ(continues(socket(), one), true) << "who only says hello changes nothing";
+  EXPECT_EQ(knows_client(socket(), one), true) << "a client that only sends a hello must not change the state";
   EXPECT_FALSE(std::filesystem::exists(socket() + ".state.other"));
-  EXPECT_EQ(continues(socket(), other), false);
-  EXPECT_EQ(continues(socket(), one), true) << companion.err();
-  EXPECT_EQ(continues(socket(), other), true) << companion.err();
+  EXPECT_EQ(knows_client(socket(), other), false);
+  EXPECT_EQ(knows_client(socket(), one), true) << companion.err();
+  EXPECT_EQ(knows_client(socket(), other), true) << companion.err();
   companion.kill(SIGTERM);
   companion.wait();
   const std::string state = socket() + ".state";
   ASSERT_TRUE(std::filesystem::exists(state));
   if (geteuid() != 0) return;
-  // Only root can make a file that is another user's.
+  // Only root can create a file of another user.
   ASSERT_EQ(chown(state.c_str(), 12345, 12345), 0);
   const ChildProgram again(folder_.path(), server());
   ASSERT_TRUE(again.await("waiting for a client")) << again.err();
-  EXPECT_EQ(continues(socket(), other), false) << again.err();
+  EXPECT_EQ(knows_client(socket(), other), false) << again.err();
   EXPECT_TRUE(again.await("belongs to another user")) << again.err();
 }
 
-/// The pose in the answer to a frame that tells the pose there, or none.
+/// The pose in the answer to a frame that contains this initial pose, or none.
 std::optional<Pose2> pose_after(RawClient& client, double time, std::uint64_t number, std::optional<Pose2> told) {
   reorient_frame frame = standing_frame(number, time, client.paint(90));
   if (told) {
@@ -225,7 +227,7 @@ std::ptrdiff_t threads_of(const ChildProgram& program) {
                        {});
 }
 
-TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanionWasKilled) {
+TEST_F(CompanionClient, NeedNotRepeatAnInitialPoseThatItSentJustBeforeTheCompanionWasKilled) {
   const reorient_hello hello = small_hello(1);
   const Pose2 told(-3.0, 2.0, 1.0);
   {
@@ -234,18 +236,18 @@ TEST_F(CompanionClient, IsNotAskedAgainForAPoseThatWasToldJustBeforeTheCompanion
     const std::ptrdiff_t threads = threads_of(companion);
     RawClient client(socket());
     client.introduce(hello);
-    // The companion looks once after each frame whether to save. After the first it does, in a thread of its own.
+    // The companion checks once after each frame whether to save. After the first frame it saves, in a separate thread.
     ASSERT_TRUE(pose_after(client, 0.0, 1, std::nullopt)) << companion.err();
     const auto never = std::filesystem::file_time_type::min();
     ASSERT_TRUE(await([&] { return saved_at(socket()) != never && threads_of(companion) == threads; }));
-    // It saves what the client sends only once at most ten times a second, and all else once a second. So this frame is
-    // saved at the one look that follows it; on a starved machine a second may have passed anyway.
+    // It saves data that a client sends only once at most ten times a second, and other data once a second. So it saves
+    // at the check after this frame. On a slow machine a second may have passed anyway.
     let_time_pass(0.11);
     const auto before = saved_at(socket());
     const std::optional<Pose2> pose = pose_after(client, 0.1, 2, told);
     ASSERT_TRUE(pose) << companion.err();
     EXPECT_LT((pose->position - told.position).norm(), 0.3);
-    ASSERT_TRUE(await([&] { return saved_at(socket()) != before; })) << "no other frame follows";
+    ASSERT_TRUE(await([&] { return saved_at(socket()) != before; })) << "the state must be saved without another frame";
     companion.kill(SIGKILL);
   }
   const ChildProgram companion(folder_.path(), server());
@@ -284,7 +286,7 @@ TEST_F(CompanionClient, GetsOneLineForOptionsThatTheCompanionDoesNotUse) {
   }
 }
 
-TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServed) {
+TEST_F(CompanionClient, IsRefusedIfItsRobotDoesNotFitTheModelAndOtherClientsAreServed) {
   const std::string model = (folder_.path() / "hall.model").string();
   {
     ChildProgram other(folder_.path(), {"run", "mirrored_placement", "--width", "160", "--seconds", "20", "--body",
@@ -297,7 +299,7 @@ TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServ
   ChildProgram companion(folder_.path(), words);
   ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
   std::string why;
-  for (int i = 0; i < 3; ++i) {  // a client of another height comes again and again
+  for (int i = 0; i < 3; ++i) {  // a robot with another height connects repeatedly
     RawClient client(socket());
     client.introduce(small_hello(1));
     await([&] { return !(why = client.refusal()).empty(); });
@@ -309,7 +311,7 @@ TEST_F(CompanionClient, IsRefusedWhereItsRobotDoesNotFitTheModelAndOthersAreServ
   companion.kill(SIGTERM);
   companion.wait();
   const std::string err = companion.err();
-  EXPECT_EQ(err.find("--model"), err.rfind("--model")) << "it is told once\n" << err;
+  EXPECT_EQ(err.find("--model"), err.rfind("--model")) << "the refusal must be logged once\n" << err;
 }
 
 TEST_F(CompanionClient, StartsWithoutKnowledgeAfterASideChange) {
@@ -323,14 +325,14 @@ TEST_F(CompanionClient, StartsWithoutKnowledgeAfterASideChange) {
   const auto welcomed = [&](bool sides_changed) {
     ChildProgram companion(folder_.path(), begin(sides_changed));
     EXPECT_TRUE(companion.await("waiting for a client")) << companion.err();
-    const std::optional<bool> knew = continues(socket(), small_hello(1));
+    const std::optional<bool> knew = knows_client(socket(), small_hello(1));
     companion.kill(SIGTERM);
     companion.wait();
     return knew;
   };
   EXPECT_EQ(welcomed(false), false);
   EXPECT_EQ(welcomed(false), true);
-  EXPECT_EQ(welcomed(true), false) << "its state is in the axes of before";
+  EXPECT_EQ(welcomed(true), false) << "its state is in the axes of the previous half";
   EXPECT_EQ(welcomed(true), true);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A robot for clients of the companion: the simulator behind two pipes (examples/companion/robot_pipe.h). It stands
-// beside the field and is told where; after it has had time to learn the room it is carried to the reflection of where
-// it is; in the end it judges what the client believes.
+// A robot for clients of the companion: the simulator with two pipes (examples/companion/robot_pipe.h). It stands
+// beside the field with a set initial pose. When it has had time to learn the room, it is placed at the reflection of
+// its pose. At the end it evaluates the belief of the client.
 //   test_robot BODY.toml FIELD.toml SEED WIDTH [LEARN] [AFTER] [PACE]
-// PACE: at most so many times as fast as a real one. $REORIENT_HEARTBEAT: a file that says how many of its frames were
-// answered. $REORIENT_LIFT_WHEN: a file; the robot keeps learning until the file exists, however long that takes.
+// PACE: largest speed relative to real time. $REORIENT_HEARTBEAT: a file that gets the number of answered frames.
+// $REORIENT_LIFT_WHEN: a file; the robot learns until the file exists.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -31,7 +31,7 @@ void write_all(const void* bytes, std::size_t size) {
   const auto* at = static_cast<const char*>(bytes);
   while (size > 0) {
     const ssize_t written = write(STDOUT_FILENO, at, size);
-    if (written <= 0) throw std::runtime_error("the client is gone");
+    if (written <= 0) throw std::runtime_error("the client has closed the pipe");
     at += written;
     size -= static_cast<std::size_t>(written);
   }
@@ -53,7 +53,7 @@ void set(double (&numbers)[Size], std::initializer_list<double> values) {
   std::copy(values.begin(), values.end(), numbers);
 }
 
-/// Of goal posts in view, as a team's own vision may have them.
+/// Adds goal posts in view, with errors like those of a team's own vision.
 void see_posts(const Simulator& simulator, const FieldDimensions& field, const CameraModel& camera, Random& random,
                pipe_frame& frame) {
   constexpr double kFarthest = 20.0, kNoise = 0.03, kRough = 0.1, kMissed = 0.3;
@@ -86,7 +86,7 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
   const char* const lift_when = std::getenv("REORIENT_LIFT_WHEN");
   std::uint64_t answered = 0;
   const auto begin = std::chrono::steady_clock::now();
-  double distance = 0.0, turn = 0.0;  // of the belief in the end
+  double distance = 0.0, turn = 0.0;  // errors of the belief at the end
   double right_since = -1.0, corrected = -1.0, put_down_at = 0.0;
   while (simulator.observe(observation)) {
     const CameraFrame& upper = *observation.upper;
@@ -162,9 +162,9 @@ int play(const RobotBody& body, const FieldDimensions& field, std::uint64_t seed
 }  // namespace reorient
 
 int main(int argc, char** argv) try {
-  if (argc < 5) throw std::runtime_error("test_robot BODY.toml FIELD.toml SEED WIDTH [LEARN] [AFTER] [PACE]");
+  if (argc < 5) throw std::runtime_error("expected BODY.toml FIELD.toml SEED WIDTH [LEARN] [AFTER] [PACE]");
   reorient::RobotBody body = reorient::load_body(argv[1]);
-  // As the companion calls it.
+  // The companion names a body by its file.
   const std::string file = argv[1];
   body.name = file.substr(file.rfind('/') + 1, file.rfind('.') - file.rfind('/') - 1);
   return reorient::play(body, reorient::load_field(argv[2]), std::strtoull(argv[3], nullptr, 10), std::atoi(argv[4]),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Three short runs on the simulator. For each, prints the digest of its records, of their numbers without names and
-// texts, and of the model of the room that it learned. Small, so that it is built quickly for another processor and
-// runs quickly in an emulator, where it must print the same. same_as_native compares the whole program, with models and
-// recordings as files.
+// Three short runs on the simulator. Prints for each the digest of its records, of their numbers without names and
+// texts, and of the learned model of the room. The output must be the same on each processor. The program is small, so
+// that it can be built for another processor and run in an emulator within a short time. same_as_native compares the
+// whole program, with models and recordings as files.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -30,7 +30,7 @@
 namespace reorient {
 namespace {
 
-/// One run, like `reorient run SCENARIO --width 160`.
+/// One run, the same as `reorient run SCENARIO --width 160`.
 struct ProbedRun {
   const char* scenario;
   double seconds;
@@ -107,7 +107,7 @@ int main() {
   try {
     probe({"mirrored_placement", 8.0});
     probe({"fallen", 3.0, Cameras::both});
-    // Runs each loop over pixels of the simulator.
+    // Use every loop over pixels of the simulator.
     std::vector<ParameterChange> hard =
         read_parameters(std::string(kSourceFolder) + "/assets/parameters/light/hard.toml");
     hard.push_back({"trial.learn", "2", ParameterOrigin::file, "digest_probe"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The digest of the beliefs, decisions and actions of a run, without names and texts.
+// Digest of the beliefs, decisions and actions of a run, without names and texts.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace reorient {
 
-/// Does not change with names of states, reasons and messages to people; DigestObserver includes these.
+/// Does not change with names of states, reasons and log texts. DigestObserver contains these, too.
 struct NumberDigest : Observer {
   Topics wanted() const override { return {}; }
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
