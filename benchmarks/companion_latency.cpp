@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// companion_latency PROGRAM [SECONDS]: how long it takes from an image at a client of the companion to the answer
-// there, in real time: 30 images a second of 640x480 pixels, rendered beforehand. PROGRAM is `reorient`.
+// companion_latency PROGRAM [SECONDS]: measures the time from an image at a client of the companion to the answer, in
+// real time with 30 images of 640x480 pixels per second, which are rendered before. PROGRAM is `reorient`.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,7 +34,7 @@ struct Shot {
   CameraModel camera;
 };
 
-/// A robot that walks and looks about.
+/// A robot that walks and scans with its head.
 std::vector<Shot> rendered(int count) {
   SimulatorParameters parameters;
   parameters.width = 640;
@@ -75,7 +75,7 @@ reorient_hello hello_of(const CameraModel& camera) {
   return hello;
 }
 
-/// ms; negative: no answer came within a second.
+/// ms; negative: no answer within a second.
 double exchanged(reorient_client& client, const Shot& shot, double time, bool first) {
   reorient_frame frame{};
   const Clock::time_point begin = Clock::now();
@@ -131,14 +131,14 @@ int measure(const char* program, double seconds) {
   const int frames = static_cast<int>(30.0 * seconds);
   for (int i = 0; i < frames; ++i) {
     std::this_thread::sleep_until(begin + std::chrono::duration<double>(i / 30.0));
-    // To and fro, so that nothing jumps.
+    // Forward and backward, so that the views do not jump.
     const auto last = static_cast<int>(shots.size()) - 1;
     const int place = i % (2 * last);
     const double time =
         exchanged(client, shots[static_cast<std::size_t>(place <= last ? place : 2 * last - place)], i / 30.0, i == 0);
     if (time < 0.0) {
       ++lost;
-    } else if (i > 30) {  // the first second makes the engine
+    } else if (i > 30) {  // not the first second, in which the companion creates the engine
       times.push_back(time);
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one frame costs room awareness and each of its peers, with what they learned of a room: compare ratios within
-// one run. One core.
+// Time of one frame of room awareness and of each of its peers, with a learned room, on one core. Compare ratios within
+// one run.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -16,7 +16,7 @@
 namespace reorient {
 namespace {
 
-/// Patches of color with grain, so that there is something to find all around.
+/// Patches of color with grain, so that all directions have features.
 Image patchwork(int width, int height) {
   Image image(width, height);
   Random random(3);
@@ -33,7 +33,7 @@ Image patchwork(int width, int height) {
   return image;
 }
 
-/// Arguments: method, width. The paper's recipe is set only as far as it affects the cost.
+/// Arguments: method, width. Sets only the values of the paper's method that affect the time.
 void Compare(benchmark::State& state) {
   const auto method = static_cast<std::size_t>(state.range(0));
   const auto width = static_cast<int>(state.range(1));

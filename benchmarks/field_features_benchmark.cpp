@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the field features of one image cost, on a simulated image with lines, a goal, other robots and people.
+// Time of the field features of one simulated image with lines, a goal, other robots and people.
 #include <benchmark/benchmark.h>
 
 #include "perception/field/field_features.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one frame costs on one core, from the camera image to the answer, with the shipped scenario's behaviors and
-// without rendering. The bar is 5 ms at 640x480.
+// Time of one frame on one core from the camera image to the answer, with the behaviors of the default scenario and
+// without rendering. The limit is 5 ms at 640x480.
 #include <cstddef>
 #include <map>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the 14-bin histogram costs for a whole 640x480 image in 64 tiles, beside the limit (reading the bytes) and what
-// OpenCV offers. One core. The last benchmark prints both ratios.
+// Time of the 14-bin histogram for a whole 640x480 image in 64 tiles on one core, compared with the lower limit
+// (reading the bytes) and with OpenCV. The last benchmark prints both ratios.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -21,7 +21,7 @@ constexpr int kHeight = 480;
 constexpr int kTileColumns = 8;
 constexpr int kTileRows = 8;
 
-/// Patches of color with grain, as a room has them.
+/// Patches of color with grain, as in a room.
 Image room_like_image() {
   Image image(kWidth, kHeight);
   Random random(1);
@@ -49,7 +49,7 @@ Image room_like_image() {
 using Tiles = std::array<ColorCounts, kTileColumns * kTileRows>;
 
 void count_tiles(const ImageView& image, int row_step, Instructions instructions, Tiles& tiles) {
-  constexpr int kBand = 8;  // rows, as the perceived tiles come
+  constexpr int kBand = 8;  // rows, as for the perceived tiles
   tiles = {};
   for (int top = 0; top < kHeight; top += kBand) {
     for (int column = 0; column < kTileColumns; ++column) {
@@ -74,10 +74,10 @@ void ReadBytesOnce(benchmark::State& state) {
 }
 BENCHMARK(ReadBytesOnce)->Unit(benchmark::kMicrosecond);
 
-/// Arguments: Instructions; every how manieth row is counted.
+/// Arguments: Instructions; n, if every n-th row is counted.
 void CountColors(benchmark::State& state) {
   const auto instructions = static_cast<Instructions>(state.range(0));
-  if (!offered(instructions)) return state.SkipWithError("not offered by this processor");
+  if (!offered(instructions)) return state.SkipWithError("this processor does not support the instructions");
   const Image image = room_like_image();
   Tiles tiles;
   for ([[maybe_unused]] auto _ : state) {
@@ -93,7 +93,7 @@ BENCHMARK(CountColors)
                    {1, 2}})
     ->Unit(benchmark::kMicrosecond);
 
-/// OpenCV has no such histogram; the nearest is 3 x 2 x 2 bins of Y, Cr, Cb, here for the whole image at once.
+/// OpenCV does not have this histogram. The most similar one has 3 x 2 x 2 bins of Y, Cr, Cb, here for the whole image.
 class OpenCvHistogram {
  public:
   explicit OpenCvHistogram(Image& image) : yuyv_(kHeight, kWidth, CV_8UC2, image.row(0)) { cv::setNumThreads(1); }
@@ -120,7 +120,7 @@ void OpenCvCvtColorCalcHist(benchmark::State& state) {
 }
 BENCHMARK(OpenCvCvtColorCalcHist)->Unit(benchmark::kMicrosecond);
 
-/// The same without the way back to YCbCr.
+/// The same without the conversion to YCbCr.
 void OpenCvCvtColorBgrCalcHist(benchmark::State& state) {
   cv::setNumThreads(1);
   Image image = room_like_image();
@@ -139,7 +139,7 @@ void OpenCvCvtColorBgrCalcHist(benchmark::State& state) {
 }
 BENCHMARK(OpenCvCvtColorBgrCalcHist)->Unit(benchmark::kMicrosecond);
 
-/// Wall-clock times of many calls, which others disturb now and then.
+/// Wall-clock times of many calls, which other processes may disturb.
 class Stopwatch {
  public:
   template <typename Work>
@@ -159,7 +159,7 @@ class Stopwatch {
   std::vector<double> seconds_;
 };
 
-/// The widest version, every row, in turn with reading and with OpenCV: the medians, and what they are to each other.
+/// The widest version with every row, in turn with reading and with OpenCV: the medians and their ratios.
 void Ratios(benchmark::State& state) {
   Image image = room_like_image();
   OpenCvHistogram histogram(image);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A short run on the simulator, recorded and played to and fro, so that frames can be timed without rendering any.
+// A recorded short run on the simulator, replayed forward and backward, so that frames are timed without rendering.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ inline FrameSetup shipped(const FieldDimensions& field) {
   return setup;
 }
 
-/// A short recording, replayed to and fro so that head and odometry never jump.
+/// A short recording, replayed forward and backward, so that head and odometry never jump.
 class ToAndFro {
  public:
   /// Records every second frame of `seconds` on the simulator.
@@ -68,13 +68,13 @@ class ToAndFro {
   std::size_t frame_ = 0;
 };
 
-/// With the room learned: its view is trained and evaluated in every frame.
+/// A session with a learned room, in which each frame is trained and evaluated.
 struct LearnedSession {
   explicit LearnedSession(int width)
       : field(load_field(kProject / "assets" / "fields" / "spl.toml")),
         seen(width, field, 4.0),
         engine(shipped(field)) {
-    constexpr double kLearned = 40.0;  // s, beyond which background_training evaluates whatever it has seen
+    constexpr double kLearned = 40.0;  // s, after which background_training evaluates in any case
     inputs.external.initial_pose = InitialPose{kStart};
     while (engine.record().world.time < kLearned) step();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What self-localization costs: a particle's share of the classic filter step, and the real update of one frame.
+// Time of self-localization: of the classic filter step for each particle, and of the real update in one frame.
 #include <cmath>
 
 #include <benchmark/benchmark.h>
@@ -16,7 +16,7 @@ GoalPost post_seen_from(const Pose2& robot, const Eigen::Vector2d& in_field) {
   return {robot.inverse() * in_field, true, Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
 }
 
-/// Two goal posts and, spread over the penalty area's front line and the goal line, this many line points.
+/// Two goal posts and this many line points on the front line of the penalty area and on the goal line.
 FieldPercept percept_from(const Pose2& robot, int line_points) {
   FieldPercept percept;
   percept.goal_posts = {post_seen_from(robot, {4.5, 0.8}), post_seen_from(robot, {4.5, -0.8})};
@@ -34,7 +34,7 @@ void report_per_particle(benchmark::State& state, std::size_t particles) {
       static_cast<double>(particles), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Predict, reweight by two landmarks, resample: nothing else, always all three.
+/// Predicts, reweights by two landmarks and resamples in each step.
 void predict_reweight_resample(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const Pose2 robot(1.5, 0.3, 0.1);
@@ -60,7 +60,7 @@ void predict_reweight_resample(benchmark::State& state) {
 }
 BENCHMARK(predict_reweight_resample)->Arg(200)->Arg(500)->Arg(2000);
 
-/// The parts of it, each alone.
+/// Each part of this step alone.
 void predict_only(benchmark::State& state) {
   ParticleSet particles(200);
   Random random(1);
@@ -98,7 +98,7 @@ void resample_only(benchmark::State& state) {
 }
 BENCHMARK(resample_only);
 
-/// One frame as the engine runs it: predict and update, with 40 line points and two posts.
+/// One frame as in the engine: predict and update, with 40 line points and two posts.
 void pose_filter_frame(benchmark::State& state, SeenGoal seen_goal) {
   PoseFilterParameters parameters;
   parameters.particles = static_cast<int>(state.range(0));
@@ -116,7 +116,7 @@ void pose_filter_frame(benchmark::State& state, SeenGoal seen_goal) {
 BENCHMARK_CAPTURE(pose_filter_frame, unknown_goal, SeenGoal::unknown)->Arg(100)->Arg(200)->Arg(500);
 BENCHMARK_CAPTURE(pose_filter_frame, known_goal, SeenGoal::opponent)->Arg(200);
 
-/// The same while the robot has no idea where it is: the most expensive frames.
+/// The same while the pose is unknown, which takes longest.
 void pose_filter_lost_frame(benchmark::State& state) {
   PoseFilter filter(PoseFilterParameters(), FieldDimensions(), 1);
   const FieldPercept percept = percept_from({1.5, 0.3, 0.1}, 40);

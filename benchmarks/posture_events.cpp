@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How well the posture is known: lifts and falls that were missed, mistaken for each other, or imagined, for a robot
-// whose feet feel their load and for one that has its inertial unit alone. Prints a table; the figures are on
-// docs/evidence/posture.md.
+// Evaluates the estimate of the posture: lifts and falls that were missed, confused, or detected without an event, for
+// a robot with foot sensors and for a robot with only an inertial unit. Prints a table; docs/evidence/posture.md has
+// the figures.
 //
 //   posture_events [EVENTS [SEED]]
 #include <cstdio>
@@ -21,19 +21,19 @@ const Eigen::Vector2d kBounds(4.5, 3.0);
 struct Tally {
   int events = 0;
   int missed = 0;
-  int mistaken = 0;      ///< within an event of the other kind
-  int from_nothing = 0;  ///< while it walked or stood
-  double delay = 0.0;    ///< s, summed over those that were noticed
+  int mistaken = 0;      ///< during an event of the other type
+  int from_nothing = 0;  ///< while the robot walked or stood
+  double delay = 0.0;    ///< s, sum over the detected events
 };
 
 struct Result {
   Tally lifts;
   Tally falls;
-  double upright_again = 0.0;  ///< s from the feet on the ground to `upright`, summed over the lifts
+  double upright_again = 0.0;  ///< s from the feet on the ground to `upright`, sum over the lifts
   double hours = 0.0;
 };
 
-/// A robot walks, turns and stands; at times the operator lifts it, or pushes it over.
+/// A robot walks, turns and stands; the operator lifts it or pushes it over from time to time.
 class Life {
  public:
   Life(bool foot_sensors, std::uint64_t seed) : random_(seed, 0x9057), body_(with(foot_sensors), {}, {}, seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// recording_cost FILE [SECONDS] [WIDTH]: what a recording costs a frame, in real time: 30 images a second of 640x480
-// pixels, by turns through an engine whose run is recorded into FILE and through one whose run is not.
+// recording_cost FILE [SECONDS] [WIDTH]: measures the time that a recording adds to a frame, in real time with 30
+// images of 640x480 pixels per second, in turn with an engine that records to FILE and with one that does not record.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -48,7 +48,7 @@ void measure(const char* file, double seconds, int width) {
   constexpr std::chrono::microseconds kHalfFrame{16'667};
   auto next = Clock::now();
   for (int i = 0; i < static_cast<int>(30.0 * seconds); ++i) {
-    // Half a frame's time apart, so that neither waits for what the other has left to the recorder's thread.
+    // Half a frame apart, so that the second engine does not wait for the recorder's thread of the first.
     plain_frame();
     std::this_thread::sleep_until(next += kHalfFrame);
     recorded_frame();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How soon an edit runs, and what many edits cost. `reload_benchmark [SAVES [RELOADS]]`: saves of each kind while
-// frames run at 30 Hz in wall-clock time (default 250: about two minutes), then reloads in memory (default 10000).
-// Prints Markdown tables.
+// Measures the time from saving a script to its first frame, and the memory of many edits.
+// `reload_benchmark [SAVES [RELOADS]]`: saves with each method while frames run at 30 Hz in wall-clock time (default
+// 250: about two minutes), then reloads in memory (default 10000). Prints Markdown tables.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -36,12 +36,12 @@ constexpr double kFrame = 1.0 / 30.0;  // s
 constexpr const char* kFile = "behaviors/orientation.lua";
 constexpr std::array kBehaviors = {"orientation", "background_training", "head_scan", "get_up", "penalty_marks"};
 
-/// A copy of the shipped scripts that is gone afterwards.
+/// A copy of the shipped scripts, removed at the end.
 class CopiedScripts {
  public:
   CopiedScripts() {
     std::string pattern = (std::filesystem::temp_directory_path() / "reorient-reload-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot create a temporary folder");
     root_ = pattern;
     std::filesystem::copy(std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts", root_,
                           std::filesystem::copy_options::recursive);
@@ -59,7 +59,7 @@ class CopiedScripts {
   std::filesystem::path root_;
 };
 
-/// The script with a machine that publishes in every frame which edit runs.
+/// The script with a machine that logs the number of the edit in each frame.
 std::string edited(const std::string& text, int edit) {
   return text + "\nbehavior \"probe\" { update = function() log.info(\"edit " + std::to_string(edit) + "\") end }\n";
 }
@@ -73,7 +73,7 @@ void save(const std::filesystem::path& file, const std::string& text, Save kind)
   if (kind == Save::by_rename) std::filesystem::rename(written, file);
 }
 
-/// Frames as `reorient run --realtime` runs them: look for edits, tick, wait for the next frame's time.
+/// Frames as in `reorient run --realtime`: check for edits, tick, wait for the time of the next frame.
 class Engine {
  public:
   explicit Engine(const std::filesystem::path& root) : files_(root), behaviors_(files_.texts(), parameters_) {
@@ -97,11 +97,11 @@ class Engine {
     }
   }
 
-  /// When the first frame ended that ran this edit or a later one; nothing after ten seconds.
+  /// Time at which the first frame with this edit or a later one ended. Throws after ten seconds.
   Clock::time_point wait_for(int edit) const {
     const Clock::time_point patience = Clock::now() + std::chrono::seconds(10);
     while (running_edit_.load(std::memory_order_acquire) < edit) {
-      if (Clock::now() > patience) throw std::runtime_error("an edit never ran");
+      if (Clock::now() > patience) throw std::runtime_error("an edit did not run within 10 s");
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return since_;

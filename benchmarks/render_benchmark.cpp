@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One simulated frame: moving the world, rendering it, reading the sensor out.
+// Time of one simulated frame: moving the world, rendering it, reading the sensor.
 #include <cmath>
 
 #include <benchmark/benchmark.h>
@@ -18,7 +18,7 @@ void simulate(benchmark::State& state, bool labels) {
   Observation observation;
   int frame = 0;
   for ([[maybe_unused]] auto _ : state) {
-    Answer answer;  // looks to and fro over the field, as a scanning robot does
+    Answer answer;  // scans the field from side to side
     answer.request.head = HeadRequest{{1.2 * std::sin(0.03 * frame++), 0.1}, 3.0};
     simulator.answer(answer);
     simulator.observe(observation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one frame of room awareness costs, everything included, with a trained model; and what of it is not the counting
-// of colors, which alone depends on the size of the image. One core.
+// Time of one complete frame of room awareness with a trained model on one core, and the part of it without the
+// counting of colors, because only the counting depends on the size of the image.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace reorient {
 namespace {
 
-/// Vertical stripes of color with grain; what stands where does not matter for the time.
+/// Vertical stripes of color with grain; the positions do not affect the time.
 Image striped_image(int width, int height) {
   Image image(width, height);
   Random random(3);
@@ -33,7 +33,7 @@ Image striped_image(int width, int height) {
   return image;
 }
 
-/// A camera that is turned to and fro.
+/// A camera that turns from side to side.
 class Scan {
  public:
   Scan(int width, int height) : image_(striped_image(width, height)) {
@@ -58,18 +58,18 @@ class Scan {
   int frame_ = 0;
 };
 
-/// Trained for as long as it takes to look all around.
+/// Trained until the camera has seen all directions.
 RoomAwareness trained(const RoomParameters& parameters, Scan& scan) {
   RoomAwareness awareness(parameters, 1);
   for (int i = 0; i < 600; ++i) awareness.update(scan.next());
   return awareness;
 }
 
-/// Arguments: width, height, whether as in the paper.
+/// Arguments: width, height, 1 for the paper's method.
 void RoomAwarenessUpdate(benchmark::State& state) {
   Scan scan(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   RoomParameters parameters;
-  if (state.range(2) != 0) {  // as in assets/parameters/paper.toml, as far as it costs
+  if (state.range(2) != 0) {  // the values of assets/parameters/paper.toml that affect the time
     parameters.light.enabled = false;
     parameters.color.blur = 0.05;
     parameters.distance.measure = Distance::ssd3;
@@ -98,7 +98,7 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// A scan's frames in groups: the updates, and then the counting alone for the same views in the same two lights.
+/// The frames of a scan in groups: the updates, then only the counting for the same views in the same two lights.
 /// Medians over the groups, us for each frame. Arguments: width, height.
 void BesideTheCounting(benchmark::State& state) {
   constexpr int kGroup = 16;
@@ -116,7 +116,7 @@ void BesideTheCounting(benchmark::State& state) {
     for (std::size_t i = 0; i < views.size(); ++i) tiles[i].find(views[i], awareness.wall(), parameters.perception);
     const ColorThresholds believed = color_thresholds(parameters.color, awareness.light());
     ColorThresholds reflected = believed;
-    ++reflected.cb_neutral;  // another one, as it is nearly always
+    ++reflected.cb_neutral;  // different, as in nearly all frames
     const double found = processor_time();
     for (std::size_t i = 0; i < views.size(); ++i)
       tiles[i].count(views[i].image, believed, reflected, parameters.perception);

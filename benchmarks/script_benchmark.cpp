@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts cost: a frame of all shipped behaviors, one call, a reload, the end of a runaway.
+// Time of scripts: a frame of all shipped behaviors, one call, a reload, stopping a runaway script.
 #include <filesystem>
 #include <string>
 
@@ -15,7 +15,7 @@ namespace {
 
 const std::filesystem::path kScripts = std::filesystem::path(REORIENT_SOURCE_DIR) / "scripts";
 
-/// A world in which every frame differs a little from the one before.
+/// A world that changes slightly in each frame.
 void step(World& world) {
   world.time += world.time_step;
   ++world.frame;
@@ -47,7 +47,7 @@ void BM_FrameOfAllShippedBehaviors(benchmark::State& state) {
 }
 BENCHMARK(BM_FrameOfAllShippedBehaviors);
 
-/// One behavior whose `update` is an empty function: what a call from C++ costs.
+/// One behavior whose `update` is an empty function: the time of a call from C++.
 void BM_CallOfAnEmptyFunction(benchmark::State& state) {
   Sandbox sandbox{ScriptLimits{}};
   sandbox.grant(1'000'000'000'000);
@@ -80,7 +80,7 @@ void BM_Reload(benchmark::State& state) {
 }
 BENCHMARK(BM_Reload)->Unit(benchmark::kMicrosecond);
 
-/// From the call to the error, for scripts that never end by themselves.
+/// Time from the call to the error, for scripts that never end by themselves.
 void end_runaway(benchmark::State& state, const std::string& body) {
   const ScriptLimits limits;
   Sandbox sandbox(limits);
@@ -91,7 +91,7 @@ void end_runaway(benchmark::State& state, const std::string& body) {
   for ([[maybe_unused]] auto _ : state) {
     sandbox.grant(limits.instructions_per_frame);
     lua_rawgeti(sandbox.state(), LUA_REGISTRYINDEX, function);
-    if (!sandbox.call(0, 0)) state.SkipWithError("it ended by itself");
+    if (!sandbox.call(0, 0)) state.SkipWithError("the script ended by itself");
   }
 }
 BENCHMARK_CAPTURE(end_runaway, loop, "while true do end")->Unit(benchmark::kMicrosecond);
