@@ -37,7 +37,7 @@ std::optional<GameState> state_of(std::uint8_t number) {
 
 }  // namespace
 
-bool GameController::hear(std::span<const std::byte> datagram, ExternalInputs& external) {
+bool GameController::read(std::span<const std::byte> datagram, ExternalInputs& external) {
   constexpr std::string_view kHeader = "RGme";
   if (datagram.size() <= kTeams) return false;
   const auto at = [&datagram](std::size_t offset) { return std::to_integer<std::uint8_t>(datagram[offset]); };

@@ -28,7 +28,7 @@ class GameController {
 
   /// Adds what has changed to `external`. At the end of a half the teams change sides. Returns false if the datagram is
   /// not from a GameController, or about a game of other teams.
-  bool hear(std::span<const std::byte> datagram, ExternalInputs& external);
+  bool read(std::span<const std::byte> datagram, ExternalInputs& external);
 
   /// Saved, because a half may end while no engine runs.
   template <typename Archive>

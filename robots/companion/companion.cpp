@@ -88,11 +88,11 @@ void Companion::begin(const Handshake& handshake, bool continues, int behaviors)
   states_.clear();
   command_.withdraw();  // it was requested by another engine
   if (!continues) pending_.begin_axes();
-  meet();
+  welcome_client();
 }
 
 /// Welcomes a client whose robot the engine was created for.
-void Companion::meet() {
+void Companion::welcome_client() {
   if (!handshake_ || !engine_for_) return;
   has_other_robot_ = identity_of(*handshake_) != identity_of(*engine_for_);
   if (has_other_robot_ || welcomed_) return;
@@ -156,7 +156,7 @@ void Companion::take_hello(std::span<const std::byte> body) {
     const std::optional<reorient_camera>& camera = handshake_->cameras[i];
     images_[i] = camera ? Image(camera->width, camera->height) : Image();
   }
-  meet();
+  welcome_client();
 }
 
 void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& memory) {
@@ -184,9 +184,9 @@ void Companion::take_frame(std::span<const std::byte> body) {
   }
   ++counts_.frames;
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
-  if (pending_.hear(arrived_.message)) command_.withdraw();
-  if (const std::string nonsense = nonsense_in(arrived_.message); !nonsense.empty())
-    return leave_out(arrived_.message.frame.number, nonsense);
+  if (pending_.add(arrived_.message)) command_.withdraw();
+  if (const std::string error = error_in(arrived_.message); !error.empty())
+    return drop_frame(arrived_.message.frame.number, error);
   arrived_.at = options_.now();
   if (has_newest_) ++counts_.superseded;
   std::swap(arrived_, newest_);
@@ -194,7 +194,7 @@ void Companion::take_frame(std::span<const std::byte> body) {
 }
 
 /// Reports an unusable frame by a note, since it gets no answer.
-void Companion::leave_out(std::uint64_t number, const std::string& why) {
+void Companion::drop_frame(std::uint64_t number, const std::string& why) {
   constexpr double kPause = 1.0;  // s; a client that sends one wrong frame sends many
   ++counts_.unusable;
   if (options_.now() < next_complaint_) return;
@@ -205,7 +205,7 @@ void Companion::leave_out(std::uint64_t number, const std::string& why) {
 
 void Companion::take_sample(std::span<const std::byte> body) {
   const reorient_sample sample = read_sample(body);
-  if (!is_sound(sample)) return;
+  if (!is_valid(sample)) return;
   if (samples_.size() >= kMostSamples) samples_.erase(samples_.begin());
   samples_.push_back(sample);
 }
@@ -221,9 +221,9 @@ void Companion::take_game(std::span<const std::byte> body) {
   if (game.team > kMost || game.player > kMost) return;
   const int team = static_cast<int>(game.team), player = static_cast<int>(game.player);
   if (game_.team() != team || game_.player() != player) game_ = GameController(team, player);
-  ExternalInputs heard;
-  game_.hear(std::as_bytes(std::span(game.datagram).first(game.size)), heard);
-  pending_.hear(heard);
+  ExternalInputs inputs;
+  game_.read(std::as_bytes(std::span(game.datagram).first(game.size)), inputs);
+  pending_.add(inputs);
 }
 
 /// Returns false if there is no new frame or it is unusable.
@@ -242,9 +242,9 @@ bool Companion::use_newest(Observation& observation) {
     pending_.begin_axes();
   }
   observation = {};
-  if (!moment) return leave_out(frame.number, "its time is not later than that of the previous frame"), false;
+  if (!moment) return drop_frame(frame.number, "its time is not later than that of the previous frame"), false;
   if (!take_images(message, moment->time, observation))
-    return leave_out(frame.number, "its image was overwritten before it was read"), false;
+    return drop_frame(frame.number, "its image was overwritten before it was read"), false;
   observation.time = moment->time;
   observation.odometry = moment->odometry;
   observation.body = with_load(body_sample(frame, moment->time), frame.has);

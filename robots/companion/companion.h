@@ -95,8 +95,8 @@ class Companion : public Robot, private Receiver {
   BodySample with_load(BodySample sample, std::uint32_t has) const;
   void take_samples(double time, bool has_time);
   bool take_images(const FrameMessage& message, double time, Observation& observation);
-  void meet();
-  void leave_out(std::uint64_t number, const std::string& why);
+  void welcome_client();
+  void drop_frame(std::uint64_t number, const std::string& why);
   void send_waiting();
 
   CompanionOptions options_;

@@ -19,7 +19,7 @@ bool are_within(const double (&values)[Size], double most) {
 
 /// Checks the sensor values that a frame and a sample have in common.
 template <typename Body>
-bool is_body_sound(const Body& body) {
+bool is_body_valid(const Body& body) {
   constexpr double kFastest = 200.0, kHardest = 2000.0, kHeaviest = 1000.0;
   const auto unless = [&](std::uint32_t what, bool sound) { return (body.has & what) == 0 || sound; };
   return unless(REORIENT_HAS_HEAD, are_within(body.head, kPi)) &&
@@ -81,22 +81,22 @@ void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
     throw BadMessage("frame: " + std::to_string(bytes.size()) + " bytes more than its particles and messages need");
 }
 
-bool is_odometry_sound(const reorient_frame& frame) { return are_within(frame.odometry, kFarthest); }
+bool is_odometry_valid(const reorient_frame& frame) { return are_within(frame.odometry, kFarthest); }
 
-bool is_told_pose_sound(const reorient_frame& frame) {
+bool is_initial_pose_valid(const reorient_frame& frame) {
   return are_within(frame.told_pose, kFarthest) && frame.told_deviation[0] > 0.0 && frame.told_deviation[0] <= 20.0 &&
          frame.told_deviation[1] > 0.0 && frame.told_deviation[1] <= 10.0;
 }
 
 Pose2 pose_of(const double (&numbers)[3]) { return Pose2(numbers[0], numbers[1], numbers[2]); }
 
-std::string nonsense_in(const FrameMessage& message) {
+std::string error_in(const FrameMessage& message) {
   constexpr double kLatest = 1e10, kOldest = 1.0;  // s
   const reorient_frame& frame = message.frame;
   if (message.has(REORIENT_HAS_TIME) && !(std::abs(frame.time) <= kLatest))
     return "invalid time (expected -1e10 to 1e10 s)";
-  if (!is_odometry_sound(frame)) return "invalid odometry (expected -1e4 to 1e4 m and rad)";
-  if (!is_body_sound(frame))
+  if (!is_odometry_valid(frame)) return "invalid odometry (expected -1e4 to 1e4 m and rad)";
+  if (!is_body_valid(frame))
     return "invalid head, attitude, rates, acceleration or foot_load: not finite, or out of range";
   if (message.has(REORIENT_HAS_BELIEF) && !(are_within(frame.belief, kFarthest) && are_within(frame.covariance, 1e6)))
     return "invalid belief (expected -1e4 to 1e4 m and rad, covariance -1e6 to 1e6)";
@@ -106,7 +106,7 @@ std::string nonsense_in(const FrameMessage& message) {
   });
   if (!sound_particles)
     return "invalid particle (expected poses of -1e4 to 1e4 m and rad, finite weights of at least 0)";
-  if (message.has(REORIENT_HAS_TOLD_POSE) && !is_told_pose_sound(frame))
+  if (message.has(REORIENT_HAS_TOLD_POSE) && !is_initial_pose_valid(frame))
     return "invalid told_pose or told_deviation (expected deviations above 0, at most 20 m and 10 rad)";
   for (std::size_t i = 0; i < std::size(frame.images); ++i) {
     const reorient_image& image = frame.images[i];
@@ -128,7 +128,7 @@ reorient_sample read_sample(std::span<const std::byte> bytes) {
   return sample;
 }
 
-bool is_sound(const reorient_sample& sample) { return std::isfinite(sample.time) && is_body_sound(sample); }
+bool is_valid(const reorient_sample& sample) { return std::isfinite(sample.time) && is_body_valid(sample); }
 
 BodySample body_sample(const reorient_frame& frame, double time) { return sample_of(frame, time); }
 BodySample body_sample(const reorient_sample& sample, double time) { return sample_of(sample, time); }

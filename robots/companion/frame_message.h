@@ -23,17 +23,17 @@ struct FrameMessage {
 void read_frame(std::span<const std::byte> bytes, FrameMessage& message);
 
 /// Which numbers are invalid, and what is expected; empty if valid. An invalid frame is dropped, the client stays.
-std::string nonsense_in(const FrameMessage& message);
+std::string error_in(const FrameMessage& message);
 
 /// Checks of parts that are used even if the rest is invalid.
-bool is_odometry_sound(const reorient_frame& frame);
-bool is_told_pose_sound(const reorient_frame& frame);
+bool is_odometry_valid(const reorient_frame& frame);
+bool is_initial_pose_valid(const reorient_frame& frame);
 
 Pose2 pose_of(const double (&numbers)[3]);
 
 /// Reads a sample. Throws BadMessage for a wrong size.
 reorient_sample read_sample(std::span<const std::byte> bytes);
-bool is_sound(const reorient_sample& sample);
+bool is_valid(const reorient_sample& sample);
 
 /// The sensor values of the body in a frame or a sample, at `time` (s). Missing values are those of a standing robot.
 BodySample body_sample(const reorient_frame& frame, double time);

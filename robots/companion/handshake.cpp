@@ -25,8 +25,8 @@ constexpr double kTallest = 2.5;  // m
 
 void check(const reorient_camera& camera) {
   constexpr int kLeast = 64, kMost = 4096;
-  const auto is_sound = [](int pixels) { return pixels >= kLeast && pixels <= kMost && pixels % 2 == 0; };
-  if (!is_sound(camera.width) || !is_sound(camera.height))
+  const auto is_valid = [](int pixels) { return pixels >= kLeast && pixels <= kMost && pixels % 2 == 0; };
+  if (!is_valid(camera.width) || !is_valid(camera.height))
     throw BadMessage("hello: images of " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
                      " pixels (expected even numbers from 64 to 4096)");
   const std::size_t bytes = reorient_image_bytes(&camera);

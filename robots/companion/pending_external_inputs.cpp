@@ -9,7 +9,7 @@ void PendingExternalInputs::begin_client(std::uint64_t client) {
   if (std::exchange(client_, client) != client) external_.initial_pose.reset();
 }
 
-bool PendingExternalInputs::hear(const FrameMessage& message) {
+bool PendingExternalInputs::add(const FrameMessage& message) {
   const reorient_frame& frame = message.frame;
   if (message.has(REORIENT_HAS_REFEREE)) {
     referee_.penalized = frame.penalized != 0;
@@ -18,15 +18,15 @@ bool PendingExternalInputs::hear(const FrameMessage& message) {
   for (const Message& word : message.messages) {
     if (external_.messages.size() < kMostMessages) external_.messages.push_back(word);
   }
-  if (!message.has(REORIENT_HAS_TOLD_POSE) || !is_told_pose_sound(frame)) return false;
+  if (!message.has(REORIENT_HAS_TOLD_POSE) || !is_initial_pose_valid(frame)) return false;
   external_.initial_pose = InitialPose{pose_of(frame.told_pose), frame.told_deviation[0], frame.told_deviation[1]};
   odometry_.reset();
-  if (is_odometry_sound(frame)) odometry_ = pose_of(frame.odometry);
+  if (is_odometry_valid(frame)) odometry_ = pose_of(frame.odometry);
   is_pose_of_other_half_ = message.has(REORIENT_OTHER_HALF);
   return true;
 }
 
-void PendingExternalInputs::hear(const ExternalInputs& game) {
+void PendingExternalInputs::add(const ExternalInputs& game) {
   if (game.referee) external_.referee = referee_ = *game.referee;
   if (!game.half_time) return;
   external_.half_time = !external_.half_time;

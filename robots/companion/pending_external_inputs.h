@@ -20,9 +20,9 @@ class PendingExternalInputs {
   void begin_axes() { is_other_half_.reset(); }
 
   /// Whether the frame contained an initial pose.
-  bool hear(const FrameMessage& message);
+  bool add(const FrameMessage& message);
   /// Adds the inputs from a datagram of the GameController.
-  void hear(const ExternalInputs& game);
+  void add(const ExternalInputs& game);
 
   /// Returns the inputs for the frame that is used. Corrects an initial pose for the motion since it was set and for a
   /// change of the axes at half-time. Each frame contains its half, so that half-time is never lost.
@@ -40,7 +40,7 @@ class PendingExternalInputs {
   bool is_pose_of_other_half_ = false;  ///< axes of the initial pose
   std::optional<bool> is_other_half_;   ///< axes of the previous frame of this client
   std::uint64_t client_ = 0;
-  RefereeState referee_;  ///< the last one from frames
+  RefereeState referee_;  ///< the last one, from frames or the GameController
 };
 
 }  // namespace reorient

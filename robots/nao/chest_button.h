@@ -12,7 +12,7 @@ class ChestButton {
 
   /// Call in each cycle with the state of the button at `time` (s). Returns a long press while it lasts, a short press
   /// when it ends.
-  Press feel(bool is_down, double time) {
+  Press update(bool is_down, double time) {
     constexpr double kLasting = 3.0, kBounce = 0.03;  // s
     if (!is_down) {
       const bool counts = since_ && !reported_ && time - *since_ > kBounce;

@@ -63,7 +63,7 @@ Nao::~Nao() {
   posture_ = WantedPosture::sit;
   paused_ = true;
   try {
-    ask(around_.now());
+    send_request(around_.now());
   } catch (const std::exception&) {  // the guard was replaced by another one; without requests it sits down, too
   }
 }
@@ -72,14 +72,14 @@ bool Nao::observe(Observation& observation) {
   constexpr double kPatience = 0.02;  // s; the guard needs a request at least every 100 ms
   while (true) {
     const double now = around_.now();
-    const bool feels = feel(now);
-    hear_referee(now);
-    look(HeadCamera::upper, now);
-    if (lower_) look(HeadCamera::lower, now);
+    const bool has_body = read_body(now);
+    read_referee(now);
+    read_image(HeadCamera::upper, now);
+    if (lower_) read_image(HeadCamera::lower, now);
     if (ends_ || (around_.is_over && around_.is_over())) return false;
-    if (feels && pairing_.is_due(engine_time(now))) break;
-    if (feels) note_missing(Missing::images, now);
-    ask(now);
+    if (has_body && pairing_.is_due(engine_time(now))) break;
+    if (has_body) note_missing(Missing::images, now);
+    send_request(now);
     const std::array<int, 2> descriptors{upper_->camera.descriptor(), lower_ ? lower_->camera.descriptor() : -1};
     around_.wait(kPatience, descriptors);
   }
@@ -102,7 +102,7 @@ bool Nao::observe(Observation& observation) {
 }
 
 /// Reads the measurements since the last call. Returns false if none has arrived for a while.
-bool Nao::feel(double now) {
+bool Nao::read_body(double now) {
   SharedBody* const body = around_.body();
   if (body == nullptr) {
     note_missing(Missing::guard, now);
@@ -125,12 +125,12 @@ bool Nao::feel(double now) {
     posture_ = WantedPosture::soft;  // until the operator puts it on its feet and presses the button
   // Stay seated when the battery is charged again or a joint that was given up is free. A motor that was too hot does
   // not change the request, so that the robot stands up when it has cooled.
-  if ((guard_.worries & (kBatteryEmpty | kJointGivenUp)) != 0 && posture_ == WantedPosture::stand)
+  if ((guard_.warnings & (kBatteryEmpty | kJointGivenUp)) != 0 && posture_ == WantedPosture::stand)
     posture_ = WantedPosture::sit;
   const std::optional<BodyHistory::Moment> newest = history_.newest();
-  const bool feels = newest && engine_time(now) - newest->body.time < BodyHistory::kGap;
-  if (!feels) note_missing(Missing::measurements, now);
-  return feels;
+  const bool has_body = newest && engine_time(now) - newest->body.time < BodyHistory::kGap;
+  if (!has_body) note_missing(Missing::measurements, now);
+  return has_body;
 }
 
 void Nao::press_button(const Measurement& measurement) {
@@ -138,7 +138,7 @@ void Nao::press_button(const Measurement& measurement) {
   constexpr float kOnItsFront = 1.0f;  // rad
   const bool is_down =
       measurement.has(SensorKey::touch) && measurement.touch[kChest] > 0.5f && measurement.angles[1] < kOnItsFront;
-  switch (chest_.feel(is_down, measurement.time)) {
+  switch (chest_.update(is_down, measurement.time)) {
     case ChestButton::Press::none:
       return;
     case ChestButton::Press::brief:
@@ -151,14 +151,14 @@ void Nao::press_button(const Measurement& measurement) {
   }
 }
 
-void Nao::hear_referee(double now) {
+void Nao::read_referee(double now) {
   if (around_.referee == nullptr) return;
   constexpr int kAtOnce = 20;
   constexpr double kReturnPeriod = 1.0;  // s
   for (int i = 0; i < kAtOnce; ++i) {
     const std::span<const std::byte> datagram = around_.referee->receive();
     if (datagram.empty()) return;
-    if (!game_.hear(datagram, external_)) continue;
+    if (!game_.read(datagram, external_)) continue;
     around_.referee->accept_sender();
     if (now < next_return_) continue;
     next_return_ = now + kReturnPeriod;
@@ -168,7 +168,7 @@ void Nao::hear_referee(double now) {
 }
 
 /// Reads the newest image of a camera and pairs it with the head angles at its exposure.
-void Nao::look(HeadCamera which, double now) {
+void Nao::read_image(HeadCamera which, double now) {
   Eye& eye = which == HeadCamera::upper ? *upper_ : *lower_;
   const std::optional<VideoCamera::Image> image = eye.camera.look(now);
   const bool is_upper = which == HeadCamera::upper;
@@ -198,10 +198,10 @@ void Nao::look(HeadCamera which, double now) {
 
 void Nao::answer(const Answer& answer) {
   answer_ = answer;
-  ask(around_.now());
+  send_request(around_.now());
 }
 
-void Nao::ask(double now) {
+void Nao::send_request(double now) {
   SharedBody* const body = around_.body();
   if (body == nullptr) return;
   BodyRequest request;

@@ -97,11 +97,11 @@ class Nao : public Robot {
     VideoCamera camera;
   };
 
-  bool feel(double now);
+  bool read_body(double now);
   void press_button(const Measurement& measurement);
-  void hear_referee(double now);
-  void look(HeadCamera which, double now);
-  void ask(double now);
+  void read_referee(double now);
+  void read_image(HeadCamera which, double now);
+  void send_request(double now);
   void note_missing(Missing what, double now);
   double engine_time(double monotonic) const { return monotonic - start_; }
 

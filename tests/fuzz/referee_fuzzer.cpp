@@ -11,14 +11,14 @@
 namespace reorient {
 namespace {
 
-void hear(std::span<const std::byte> bytes) {
+void read_datagrams(std::span<const std::byte> bytes) {
   GameController game(5, 3);
   while (!bytes.empty()) {
     // A length, then this number of bytes.
     const std::size_t size = std::min(bytes.size() - 1, std::to_integer<std::size_t>(bytes[0]));
     ExternalInputs external;
-    const bool heard = game.hear(bytes.subspan(1, size), external);
-    require(heard || (!external.referee && !external.half_time), "a rejected datagram has no effect");
+    const bool accepted = game.read(bytes.subspan(1, size), external);
+    require(accepted || (!external.referee && !external.half_time), "a rejected datagram has no effect");
     if (external.referee) {
       require(static_cast<int>(external.referee->state) < enum_count(GameState{}), "the state is known");
       require(!to_string(external.referee->state).empty(), "the state has a name");
@@ -31,6 +31,6 @@ void hear(std::span<const std::byte> bytes) {
 }  // namespace reorient
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  reorient::hear({reinterpret_cast<const std::byte*>(data), size});
+  reorient::read_datagrams({reinterpret_cast<const std::byte*>(data), size});
   return 0;
 }

@@ -43,11 +43,11 @@ TEST_P(EachVersion, ContainsTheStateOfTheGame) {
                               GameState::playing, GameState::finished, GameState::standby};
   for (std::size_t i = 0; i < std::size(states); ++i) {
     bytes_[10] = static_cast<std::byte>(i);
-    ASSERT_TRUE(game_.hear(bytes_, external_));
+    ASSERT_TRUE(game_.read(bytes_, external_));
     EXPECT_EQ(external_.referee->state, states[i]);
   }
   bytes_[10] = std::byte{6};
-  EXPECT_FALSE(game_.hear(bytes_, external_));
+  EXPECT_FALSE(game_.read(bytes_, external_));
 }
 
 TEST_P(EachVersion, ContainsThePenaltyOfThisPlayer) {
@@ -56,7 +56,7 @@ TEST_P(EachVersion, ContainsThePenaltyOfThisPlayer) {
     one[our_players() + player * size_of_player()] = std::byte{4};
     ExternalInputs external;
     GameController game(5, 3);
-    ASSERT_TRUE(game.hear(one, external));
+    ASSERT_TRUE(game.read(one, external));
     EXPECT_EQ(external.referee->penalized, player == 2);
   }
 }
@@ -64,49 +64,49 @@ TEST_P(EachVersion, ContainsThePenaltyOfThisPlayer) {
 TEST_P(EachVersion, ContainsTheStopOfAllMotionAndTheKickOff) {
   bytes_[8] = std::byte{1};
   bytes_[13] = std::byte{5};
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_TRUE(external_.referee->stopped);
   EXPECT_EQ(external_.referee->kick_off, KickOff::ours);
   bytes_[13] = std::byte{7};
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_EQ(external_.referee->kick_off, KickOff::theirs);
 }
 
 TEST_P(EachVersion, IsReportedOnlyIfItChanges) {
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_TRUE(external_.referee);
   external_ = {};
   bytes_[5] = std::byte{9};  // number of the datagram
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_FALSE(external_.referee);
 }
 
 TEST_P(EachVersion, ChangesSidesWithTheHalfButNotDuringPlay) {
   bytes_[10] = std::byte{3};
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   bytes_[12] = std::byte{0};
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_FALSE(external_.half_time) << "the half does not change during play";
   bytes_[10] = std::byte{0};
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_TRUE(external_.half_time);
   external_ = {};
-  ASSERT_TRUE(game_.hear(bytes_, external_));
+  ASSERT_TRUE(game_.read(bytes_, external_));
   EXPECT_FALSE(external_.half_time);
 }
 
 TEST_P(EachVersion, IsIgnoredForOtherTeamsAndInvalidPlayers) {
-  EXPECT_FALSE(GameController(6, 3).hear(bytes_, external_));
-  EXPECT_FALSE(GameController(5, 21).hear(bytes_, external_));
-  EXPECT_FALSE(GameController().hear(bytes_, external_));
+  EXPECT_FALSE(GameController(6, 3).read(bytes_, external_));
+  EXPECT_FALSE(GameController(5, 21).read(bytes_, external_));
+  EXPECT_FALSE(GameController().read(bytes_, external_));
   EXPECT_FALSE(external_.referee);
 }
 
 TEST_P(EachVersion, IsIgnoredIfItsSizeIsWrong) {
   for (std::size_t size = 0; size < bytes_.size(); ++size)
-    EXPECT_FALSE(game_.hear(std::span(bytes_).first(size), external_));
+    EXPECT_FALSE(game_.read(std::span(bytes_).first(size), external_));
   bytes_.push_back(std::byte{0});
-  EXPECT_FALSE(game_.hear(bytes_, external_));
+  EXPECT_FALSE(game_.read(bytes_, external_));
   EXPECT_FALSE(external_.referee);
 }
 
@@ -117,7 +117,7 @@ TEST(GameController, IgnoresAnUnknownVersion) {
   for (const int version : {0, 12, 17, 21, 255}) {
     bytes[4] = static_cast<std::byte>(version);
     ExternalInputs external;
-    EXPECT_FALSE(GameController(5, 1).hear(bytes, external));
+    EXPECT_FALSE(GameController(5, 1).read(bytes, external));
   }
 }
 
@@ -126,7 +126,7 @@ RC_GTEST_PROP(GameController, ReportsAStateExactlyIfItAcceptsNoise, (const std::
   for (std::size_t i = 0; i < noise.size() && i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(noise[i]);
   ExternalInputs external;
   GameController game(5, 3);
-  const bool accepted = game.hear(bytes, external);
+  const bool accepted = game.read(bytes, external);
   RC_ASSERT(accepted == external.referee.has_value());
 }
 

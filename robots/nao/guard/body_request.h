@@ -48,7 +48,7 @@ enum class GuardState : std::uint32_t {
 inline constexpr int kGuardStates = 7;
 
 /// Reasons why the guard does not carry out a request, one bit each.
-enum GuardWorry : std::uint32_t {
+enum GuardWarning : std::uint32_t {
   kNoRequest = 1u << 0,  ///< no request arrived for 100 ms
   kTilted = 1u << 1,     ///< tilted too far to stand up or sit down
   kHot = 1u << 2,        ///< a motor is hot
@@ -64,7 +64,7 @@ enum GuardWorry : std::uint32_t {
 struct GuardReport {
   double time = 0.0;  ///< s on the monotonic clock
   GuardState state = GuardState::waiting;
-  std::uint32_t worries = 0;
+  std::uint32_t warnings = 0;
   std::uint32_t joint = 0;  ///< joint of kHot, kTooHot, kJointStuck and kJointGivenUp
   std::uint32_t connections = 0;
   std::uint64_t cycles = 0;    ///< packets that arrived

@@ -82,14 +82,14 @@ bool Guard::is_at_rest() const {
 
 std::optional<Command> Guard::step(const Measurement& measurement, const std::optional<RobotIdentity>& robot,
                                    const std::optional<BodyRequest>& request, const std::optional<WalkTargets>& walk) {
-  look_after(measurement, robot);
+  check_body(measurement, robot);
   if (!is_known_) return std::nullopt;
   if (state_ == GuardState::waiting) take_over(measurement);
   const auto age_of = [&](const auto& said) {
     return said ? std::fabs(measurement.time - said->time) : std::numeric_limits<double>::infinity();
   };
   const double age = age_of(request);
-  worries_ = age <= kHolds ? worries_ & ~kNoRequest : worries_ | kNoRequest;
+  warnings_ = age <= kHolds ? warnings_ & ~kNoRequest : warnings_ | kNoRequest;
   decide(wanted(request, std::isfinite(age) ? age : kSitsDown + 1.0));
   if (!glide_.is_over()) goal_ = glide_.step();
   if (state_ == GuardState::standing && age <= kHolds) follow(walk, age_of(walk));  // otherwise it holds its posture
@@ -99,8 +99,10 @@ std::optional<Command> Guard::step(const Measurement& measurement, const std::op
 }
 
 /// Checks the measurements of the body and updates the warnings.
-void Guard::look_after(const Measurement& measurement, const std::optional<RobotIdentity>& robot) {
-  const auto set = [this](std::uint32_t worry, bool is) { worries_ = is ? worries_ | worry : worries_ & ~worry; };
+void Guard::check_body(const Measurement& measurement, const std::optional<RobotIdentity>& robot) {
+  const auto set = [this](std::uint32_t warning, bool is) {
+    warnings_ = is ? warnings_ | warning : warnings_ & ~warning;
+  };
   const bool has_positions = measurement.has(SensorKey::position) && are_plausible(measurement.position);
   const bool has_angles = measurement.has(SensorKey::angles) && are_plausible(measurement.angles);
   const bool sees = has_positions && has_angles;
@@ -150,7 +152,7 @@ void Guard::look_after(const Measurement& measurement, const std::optional<Robot
 
 WantedPosture Guard::wanted(const std::optional<BodyRequest>& request, double age) const {
   if (finishing_) return WantedPosture::soft;
-  if (!request || age > kSitsDown || (worries_ & kUnwell) != 0) return WantedPosture::sit;
+  if (!request || age > kSitsDown || (warnings_ & kUnwell) != 0) return WantedPosture::sit;
   switch (request->posture) {
     case WantedPosture::soft:
     case WantedPosture::sit:
@@ -164,7 +166,7 @@ void Guard::decide(WantedPosture wanted) {
   const bool may_move = upright_within_ < kUpright && !has(kBlind | kForeignBody);
   const bool on_its_feet = state_ == GuardState::standing_up || state_ == GuardState::standing ||
                            state_ == GuardState::sitting_down || state_ == GuardState::sitting;
-  worries_ &= ~kTilted;
+  warnings_ &= ~kTilted;
   if (on_its_feet && tilt_ > kFalls) return begin(GuardState::fallen);
   switch (state_) {
     case GuardState::waiting:
@@ -173,7 +175,7 @@ void Guard::decide(WantedPosture wanted) {
       // A fallen robot stays down without requests: the default request is to sit, which is not necessary then.
       if (wanted != WantedPosture::stand) return;
       if (!may_move) {
-        worries_ |= kTilted;
+        warnings_ |= kTilted;
         return;
       }
       return begin(GuardState::standing_up);
@@ -184,8 +186,8 @@ void Guard::decide(WantedPosture wanted) {
       } else if (may_move) {
         begin(GuardState::sitting_down);
       } else {
-        worries_ |= kTilted;
-        let_go_at_last();
+        warnings_ |= kTilted;
+        release_if_held();
       }
       return;
     case GuardState::sitting_down:
@@ -196,14 +198,14 @@ void Guard::decide(WantedPosture wanted) {
       } else if (has_bent_knees(measured_)) {  // otherwise an operator holds it, and soft legs would let it fall
         begin(GuardState::sitting);
       } else {
-        let_go_at_last();
+        release_if_held();
       }
       return;
     case GuardState::sitting:
       if (wanted == WantedPosture::soft) return begin(GuardState::soft);
       if (wanted != WantedPosture::stand) return;
       if (!may_move) {
-        worries_ |= kTilted;
+        warnings_ |= kTilted;
         return;
       }
       return begin(GuardState::standing_up);
@@ -215,7 +217,7 @@ void Guard::decide(WantedPosture wanted) {
 
 /// Called if an operator holds the robot while the guard ends. The last command stays active after the guard ends, so
 /// it must not leave a leg stiff.
-void Guard::let_go_at_last() {
+void Guard::release_if_held() {
   const bool is_held = upright_within_ >= kUpright || state_ == GuardState::sitting_down;
   if (finishing_ && is_held && !has(kBlind | kForeignBody) && ++held_ > kLetsGoAfter) begin(GuardState::soft);
 }
@@ -242,7 +244,7 @@ void Guard::begin(GuardState state) {
       stiff_[kLeftShoulderPitch] = stiff_[kLeftShoulderRoll] = stiff_[kLeftElbowYaw] = 0.0f;
       stiff_[kLeftElbowRoll] = stiff_[kLeftWristYaw] = 0.0f;
       stiff_[kHipYawPitch] = stiff_[kLeftHipPitch] = stiff_[kRightHipPitch] = kHips;
-      worries_ &= ~kJointGivenUp;
+      warnings_ &= ~kJointGivenUp;
       break;
     case GuardState::waiting:
     case GuardState::soft:

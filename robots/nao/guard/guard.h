@@ -31,16 +31,16 @@ class Guard {
   bool is_at_rest() const;
 
   GuardState state() const { return state_; }
-  std::uint32_t worries() const { return worries_; }
-  std::uint32_t worrying_joint() const { return joint_; }
+  std::uint32_t warnings() const { return warnings_; }
+  std::uint32_t warning_joint() const { return joint_; }
 
  private:
   void take_over(const Measurement& measurement);
-  bool has(std::uint32_t worry) const { return (worries_ & worry) != 0; }
-  void look_after(const Measurement& measurement, const std::optional<RobotIdentity>& robot);
+  bool has(std::uint32_t warning) const { return (warnings_ & warning) != 0; }
+  void check_body(const Measurement& measurement, const std::optional<RobotIdentity>& robot);
   WantedPosture wanted(const std::optional<BodyRequest>& request, double age) const;
   void decide(WantedPosture wanted);
-  void let_go_at_last();
+  void release_if_held();
   void begin(GuardState state);
   void hold_head(const std::optional<BodyRequest>& request, double age);
   void follow(const std::optional<WalkTargets>& walk, double age);
@@ -49,7 +49,7 @@ class Guard {
   Lights lights(const std::optional<BodyRequest>& request) const;
 
   GuardState state_ = GuardState::waiting;
-  std::uint32_t worries_ = 0;
+  std::uint32_t warnings_ = 0;
   std::uint32_t joint_ = 0;
   bool finishing_ = false;
 

@@ -82,11 +82,11 @@ constexpr std::array<const char*, kGuardStates> kStates{"waiting for LoLA",
                                                         "sitting",
                                                         "fallen: soft until a request to sit"};
 
-struct WorryText {
-  std::uint32_t worry;
+struct WarningText {
+  std::uint32_t warning;
   const char* text;
 };
-constexpr std::array<WorryText, 10> kWorries{{
+constexpr std::array<WarningText, 10> kWarnings{{
     {kNoRequest, "no requests from the engine"},
     {kTilted, "tilted too far to stand up or sit down"},
     {kHot, "a motor is hot"},
@@ -118,24 +118,24 @@ class Narrator {
     if (report.state != state_) line(kStates[static_cast<std::size_t>(report.state)]);
     state_ = report.state;
     constexpr double kPause = 0.5;  // s; limits warnings that change in each cycle
-    if (report.worries == worries_ || report.time < next_) return;
+    if (report.warnings == warnings_ || report.time < next_) return;
     next_ = report.time + kPause;
-    for (const WorryText& worry : kWorries) {
-      const bool is = (report.worries & worry.worry) != 0, was = (worries_ & worry.worry) != 0;
+    for (const WarningText& warning : kWarnings) {
+      const bool is = (report.warnings & warning.warning) != 0, was = (warnings_ & warning.warning) != 0;
       if (is == was) continue;
-      const bool has_joint = is && (worry.worry & (kHot | kTooHot | kJointStuck | kJointGivenUp)) != 0;
+      const bool has_joint = is && (warning.warning & (kHot | kTooHot | kJointStuck | kJointGivenUp)) != 0;
       std::array<char, 120> text{};
       std::snprintf(text.data(), text.size(), has_joint ? "%s%s (joint %u)" : "%s%s",
-                    is ? "" : "no longer: ", worry.text, report.joint);
+                    is ? "" : "no longer: ", warning.text, report.joint);
       line(text.data());
     }
-    worries_ = report.worries;
+    warnings_ = report.warnings;
   }
 
  private:
   int out_;
   GuardState state_ = GuardState::waiting;
-  std::uint32_t worries_ = 0;
+  std::uint32_t warnings_ = 0;
   double next_ = 0.0;  // s
 };
 

@@ -27,13 +27,13 @@ bool Session::received(std::size_t size, double time) {
   bool any = false;
   while (true) {
     const PacketStream::State state = stream_.next(packet);
-    if (state == PacketStream::State::nonsense) return false;
+    if (state == PacketStream::State::invalid) return false;
     if (state == PacketStream::State::waiting) break;
     measurement_.time = time;
     if (!reader_.read(packet, measurement_)) return false;
     ++counts_.cycles;
     if (!measurement_.has(SensorKey::position) || !measurement_.has(SensorKey::angles)) ++counts_.unusable;
-    hear_walk();
+    read_walk();
     body_.add(measurement_);
     if (any) ++counts_.late;  // the packet before this one will not be answered
     any = true;
@@ -43,7 +43,7 @@ bool Session::received(std::size_t size, double time) {
 }
 
 /// The walk's odometry is assigned to the measurement of the cycle in which it is read.
-void Session::hear_walk() {
+void Session::read_walk() {
   WalkTargets walk;
   if (body_.walk.read(walk)) walk_ = walk;  // otherwise the last one stays and becomes too old
   measurement_.is_walked = walk_ && std::fabs(measurement_.time - walk_->time) <= Guard::kHolds ? 1 : 0;
@@ -94,8 +94,8 @@ GuardReport Session::report(double time) const {
   GuardReport report = counts_;
   report.time = time;
   report.state = guard_.state();
-  report.worries = guard_.worries();
-  report.joint = guard_.worrying_joint();
+  report.warnings = guard_.warnings();
+  report.joint = guard_.warning_joint();
   return report;
 }
 

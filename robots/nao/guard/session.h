@@ -42,7 +42,7 @@ class Session {
 
  private:
   void answer();
-  void hear_walk();
+  void read_walk();
 
   SharedBody& body_;
   Guard guard_;

@@ -97,8 +97,8 @@ std::array<std::byte, kCommandBytes> command_packet(const Command& command) {
   put("Skull", plain(lights.skull));
   writer.text("Sonar");
   writer.array(2);
-  writer.truth(false);
-  writer.truth(false);
+  writer.boolean(false);
+  writer.boolean(false);
   return bytes;
 }
 

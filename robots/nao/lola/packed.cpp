@@ -18,7 +18,7 @@ std::uint64_t number_from(std::span<const std::byte> bytes) {
 
 /// The meaning of the first byte of a value.
 struct Head {
-  PackedKind kind = PackedKind::never;
+  PackedKind kind = PackedKind::reserved;
   std::size_t length_bytes = 0;  // length of the number that follows, which is a length or the value itself
   std::uint64_t immediate = 0;   // the number if none follows
 };
@@ -33,18 +33,18 @@ Head head_of(std::byte byte) {
   const std::size_t power = std::size_t{1} << (first & 3u);  // bytes of the integers: 1, 2, 4, 8
   switch (first) {
     case 0xc0:
-      return {PackedKind::nothing, 0, 0};
+      return {PackedKind::nil, 0, 0};
     case 0xc2:
     case 0xc3:
-      return {PackedKind::truth, 0, first & 1u};
+      return {PackedKind::boolean, 0, first & 1u};
     case 0xc4:
     case 0xc5:
     case 0xc6:
       return {PackedKind::bytes, power, 0};
     case 0xca:
-      return {PackedKind::single, 4, 0};
+      return {PackedKind::float32, 4, 0};
     case 0xcb:
-      return {PackedKind::twice, 8, 0};
+      return {PackedKind::float64, 8, 0};
     case 0xcc:
     case 0xcd:
     case 0xce:
@@ -79,14 +79,14 @@ PackedExtent first_packed_value(std::span<const std::byte> bytes) {
   for (std::uint64_t missing = 1; missing > 0; --missing) {
     if (at >= bytes.size()) return {State::cut_short, 0};
     const Head head = head_of(bytes[at++]);
-    if (head.kind == PackedKind::never) return {State::nonsense, 0};
+    if (head.kind == PackedKind::reserved) return {State::invalid, 0};
     if (bytes.size() - at < head.length_bytes) return {State::cut_short, 0};
     const std::uint64_t number =
         head.length_bytes == 0 ? head.immediate : number_from(bytes.subspan(at, head.length_bytes));
     at += head.length_bytes;
     if (head.kind == PackedKind::map || head.kind == PackedKind::array) {
       missing += head.kind == PackedKind::map ? 2 * number : number;
-      if (missing > kMostValues) return {State::nonsense, 0};
+      if (missing > kMostValues) return {State::invalid, 0};
     } else if (head.kind == PackedKind::text || head.kind == PackedKind::bytes) {
       if (bytes.size() - at < number) return {State::cut_short, 0};
       at += static_cast<std::size_t>(number);
@@ -120,13 +120,13 @@ std::optional<std::uint32_t> PackedReader::array() {
 }
 
 std::optional<float> PackedReader::number() {
-  const std::optional<Beginning> value =
-      begin({PackedKind::positive, PackedKind::negative, PackedKind::single, PackedKind::twice, PackedKind::truth});
+  const std::optional<Beginning> value = begin(
+      {PackedKind::positive, PackedKind::negative, PackedKind::float32, PackedKind::float64, PackedKind::boolean});
   if (!value) return std::nullopt;
   switch (value->kind) {
-    case PackedKind::single:
+    case PackedKind::float32:
       return std::bit_cast<float>(static_cast<std::uint32_t>(value->number));
-    case PackedKind::twice: {
+    case PackedKind::float64: {
       constexpr double kMost = std::numeric_limits<float>::max();
       const double wide = std::bit_cast<double>(value->number);
       return std::fabs(wide) > kMost ? std::numeric_limits<float>::infinity() : static_cast<float>(wide);
@@ -193,6 +193,6 @@ void PackedWriter::number(float value) {
 
 void PackedWriter::small(std::uint8_t value) { put(value & 0x7fu, 1); }
 
-void PackedWriter::truth(bool value) { put(value ? 0xc3 : 0xc2, 1); }
+void PackedWriter::boolean(bool value) { put(value ? 0xc3 : 0xc2, 1); }
 
 }  // namespace reorient::nao

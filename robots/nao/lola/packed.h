@@ -12,11 +12,11 @@
 
 namespace reorient::nao {
 
-enum class PackedKind { map, array, text, bytes, positive, negative, single, twice, truth, nothing, never };
+enum class PackedKind { map, array, text, bytes, positive, negative, float32, float64, boolean, nil, reserved };
 
 /// The length of the first value in some bytes.
 struct PackedExtent {
-  enum class State { whole, cut_short, nonsense } state = State::nonsense;
+  enum class State { whole, cut_short, invalid } state = State::invalid;
   std::size_t size = 0;  ///< bytes, if it is whole
 };
 PackedExtent first_packed_value(std::span<const std::byte> bytes);
@@ -60,7 +60,7 @@ class PackedWriter {
   void text(std::string_view text);  ///< at most 31 bytes, so that decoders of any MessagePack version can read it
   void number(float value);
   void small(std::uint8_t value);  ///< at most 127
-  void truth(bool value);
+  void boolean(bool value);
 
   std::size_t size() const { return size_; }
 

@@ -15,7 +15,7 @@ PacketStream::State PacketStream::next(std::span<const std::byte>& packet) {
     begin_ += extent.size;
     return State::packet;
   }
-  if (extent.state != PackedExtent::State::cut_short || waiting.size() >= kLongest) return State::nonsense;
+  if (extent.state != PackedExtent::State::cut_short || waiting.size() >= kLongest) return State::invalid;
   std::copy(waiting.begin(), waiting.end(), bytes_.begin());
   end_ = waiting.size();
   begin_ = 0;

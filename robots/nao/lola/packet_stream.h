@@ -17,8 +17,8 @@ class PacketStream {
   /// Call with the number of bytes that were written there.
   void written(std::size_t size) { end_ += size; }
 
-  enum class State { packet, waiting, nonsense };
-  /// Sets `packet` to the oldest whole packet, valid until the next call. Returns `nonsense` if the bytes are not a
+  enum class State { packet, waiting, invalid };
+  /// Sets `packet` to the oldest whole packet, valid until the next call. Returns `invalid` if the bytes are not a
   /// packet or the packet is too long: then close the connection, because later packets cannot be found either.
   State next(std::span<const std::byte>& packet);
 

@@ -15,7 +15,7 @@ namespace {
 
 class BodyHistoryTest : public testing::Test {
  protected:
-  void feel(double seconds, float turning = 0.0f, float bias = 0.0f) {
+  void measure(double seconds, float turning = 0.0f, float bias = 0.0f) {
     for (const double end = time_ + seconds; time_ < end; time_ += 0.012) {
       Measurement measurement = body_.measurement();
       measurement.time = time_;
@@ -35,7 +35,7 @@ class BodyHistoryTest : public testing::Test {
 };
 
 TEST_F(BodyHistoryTest, IsInterpolatedBetweenTwoMeasurements) {
-  feel(0.5);
+  measure(0.5);
   const auto moment = history_.at(0.3456);
   ASSERT_TRUE(moment);
   EXPECT_NEAR(moment->body.head.yaw, 0.3456, 1e-6);
@@ -44,28 +44,28 @@ TEST_F(BodyHistoryTest, IsInterpolatedBetweenTwoMeasurements) {
 
 TEST_F(BodyHistoryTest, ReturnsNothingForTimesTooLongAgoOrInTheFuture) {
   EXPECT_FALSE(history_.at(0.0));
-  feel(2.0);
+  measure(2.0);
   EXPECT_FALSE(history_.at(0.5));
   EXPECT_TRUE(history_.at(time_ + 0.05));
   EXPECT_FALSE(history_.at(time_ + 0.2));
 }
 
 TEST_F(BodyHistoryTest, ReturnsNothingWithinAGap) {
-  feel(0.2);
+  measure(0.2);
   time_ += 0.3;
-  feel(0.2);
+  measure(0.2);
   EXPECT_FALSE(history_.at(0.35));
   EXPECT_TRUE(history_.at(0.6));
 }
 
 TEST_F(BodyHistoryTest, TranslatesWithTheWalkAndRotatesWithTheInertialUnit) {
   walks_ = true;
-  feel(1.0);
+  measure(1.0);
   EXPECT_NEAR(history_.newest()->odometry.position.x(), 0.2, 0.01);
-  feel(1.0, static_cast<float>(kPi / 2.0));
+  measure(1.0, static_cast<float>(kPi / 2.0));
   const Pose2 before = history_.newest()->odometry;
   EXPECT_NEAR(before.rotation, kPi / 2.0, 0.03);
-  feel(1.0);
+  measure(1.0);
   EXPECT_NEAR((history_.newest()->odometry.position - before.position - Eigen::Vector2d(0.0, 0.2)).norm(), 0.0, 0.01);
   const auto moment = history_.at(time_ - 0.1);
   ASSERT_TRUE(moment);
@@ -74,18 +74,18 @@ TEST_F(BodyHistoryTest, TranslatesWithTheWalkAndRotatesWithTheInertialUnit) {
 
 TEST_F(BodyHistoryTest, DoesNotJumpIfAWalkRestartsOrReportsInvalidValues) {
   walks_ = true;
-  feel(1.0);
+  measure(1.0);
   walked_ = {5.0f, -3.0f, 2.0f};
-  feel(0.1);
+  measure(0.1);
   walked_[1] = std::numeric_limits<float>::quiet_NaN();
-  feel(0.1);
+  measure(0.1);
   walked_ = {};
-  feel(0.1);
+  measure(0.1);
   EXPECT_NEAR(history_.newest()->odometry.position.norm(), 0.2, 0.1);
 }
 
 TEST_F(BodyHistoryTest, MeasuresGravityUpwardsAndTheWeightOnTheFeet) {
-  feel(0.1);
+  measure(0.1);
   const auto moment = history_.newest();
   ASSERT_TRUE(moment);
   EXPECT_NEAR(moment->body.acceleration.z(), 9.81, 1e-3);
@@ -93,12 +93,12 @@ TEST_F(BodyHistoryTest, MeasuresGravityUpwardsAndTheWeightOnTheFeet) {
 }
 
 TEST_F(BodyHistoryTest, IntegratesTheRotationWithoutTheGyroscopesBias) {
-  feel(20.0, 0.0f, 0.02f);
+  measure(20.0, 0.0f, 0.02f);
   const double before = history_.newest()->odometry.rotation;
-  feel(3.0, 0.5f, 0.02f);
+  measure(3.0, 0.5f, 0.02f);
   const double turned = angle_difference(history_.newest()->odometry.rotation, before);
   EXPECT_NEAR(turned, 1.5, 0.02);
-  feel(60.0, 0.0f, 0.02f);
+  measure(60.0, 0.0f, 0.02f);
   EXPECT_NEAR(angle_difference(history_.newest()->odometry.rotation, before), 1.5, 0.05);
 }
 

@@ -43,8 +43,8 @@ class Trouble {
     if (!is_connected_) reconnect();
     go_on(8.0);
     const auto story = [this] {
-      std::string text = "state " + std::to_string(static_cast<int>(session_.report(time_).state)) + ", worries " +
-                         std::to_string(session_.report(time_).worries);
+      std::string text = "state " + std::to_string(static_cast<int>(session_.report(time_).state)) + ", warnings " +
+                         std::to_string(session_.report(time_).warnings);
       for (const auto& [what, times] : done_) text += "; " + std::to_string(times) + " x " + what;
       return text;
     };
@@ -215,7 +215,7 @@ class Trouble {
     while (true) {
       const PackedExtent extent = first_packed_value(received_);
       if (extent.state != PackedExtent::State::whole) {
-        ASSERT_NE(extent.state, PackedExtent::State::nonsense);
+        ASSERT_NE(extent.state, PackedExtent::State::invalid);
         break;
       }
       Command command;
@@ -246,7 +246,7 @@ class Trouble {
     if (unknown_) {
       writer.text("Whistle");
       writer.array(1);
-      writer.truth(true);
+      writer.boolean(true);
     }
     for (std::uint32_t i = 0; i < pairs; ++i) {
       const std::string key(reader.text().value());

@@ -98,7 +98,7 @@ TEST_F(GuardTest, SitsDownOneSecondAfterTheLastRequest) {
   engine_lives_ = false;
   run(0.95);
   EXPECT_EQ(guard_.state(), GuardState::standing);
-  EXPECT_NE(guard_.worries() & kNoRequest, 0u);
+  EXPECT_NE(guard_.warnings() & kNoRequest, 0u);
   run(0.15);
   EXPECT_EQ(guard_.state(), GuardState::sitting_down);
   run(2.5);
@@ -162,7 +162,7 @@ TEST_F(GuardTest, NeitherStandsUpNorSitsDownWhileHeldAtATilt) {
   request_.posture = WantedPosture::stand;
   run(2.0);
   EXPECT_EQ(guard_.state(), GuardState::soft);
-  EXPECT_NE(guard_.worries() & kTilted, 0u);
+  EXPECT_NE(guard_.warnings() & kTilted, 0u);
   body_.tilt(0.0f, 0.0f);
   stand();
   body_.tilt(0.0f, 0.4f);
@@ -193,8 +193,8 @@ TEST_F(GuardTest, BecomesSoftAtOnceInAFallAndStaysSoft) {
 TEST_F(GuardTest, SitsDownIfAMotorIsTooHot) {
   body_.set_status(1.0f);
   stand();
-  EXPECT_NE(guard_.worries() & kHot, 0u);
-  EXPECT_EQ(guard_.worrying_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
+  EXPECT_NE(guard_.warnings() & kHot, 0u);
+  EXPECT_EQ(guard_.warning_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
   body_.set_status(2.0f);
   run(4.0);
   EXPECT_EQ(guard_.state(), GuardState::sitting);
@@ -212,7 +212,7 @@ TEST_F(GuardTest, SitsDownWithAnEmptyBatteryButNotWithAnUnknownCharge) {
   body_.set_charge(0.08f);
   run(1.0);
   EXPECT_EQ(guard_.state(), GuardState::standing);
-  EXPECT_NE(guard_.worries() & kBatteryLow, 0u);
+  EXPECT_NE(guard_.warnings() & kBatteryLow, 0u);
   body_.set_charge(0.04f);
   run(4.0);
   EXPECT_EQ(guard_.state(), GuardState::sitting);
@@ -222,14 +222,14 @@ TEST_F(GuardTest, SitsDownIfALegDoesNotReachItsTarget) {
   body_.block(kLeftKneePitch);
   request_.posture = WantedPosture::stand;
   run(4.0);
-  EXPECT_NE(guard_.worries() & kJointStuck, 0u);
-  EXPECT_EQ(guard_.worrying_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
+  EXPECT_NE(guard_.warnings() & kJointStuck, 0u);
+  EXPECT_EQ(guard_.warning_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
   run(2.0);
-  EXPECT_NE(guard_.worries() & kJointGivenUp, 0u);
+  EXPECT_NE(guard_.warnings() & kJointGivenUp, 0u);
   EXPECT_EQ(guard_.state(), GuardState::sitting_down);
 }
 
-TEST_F(GuardTest, DoesNotSitDownIfTheHeadIsHeld) {
+TEST_F(GuardTest, LetsAHeldHeadYieldWithoutSittingDown) {
   stand();
   body_.block(kHeadYaw);
   request_.moves_head = 1;
@@ -254,7 +254,7 @@ TEST_F(GuardTest, HoldsItsPostureWithoutPositionsAndAngles) {
   request_.posture = WantedPosture::sit;
   run(3.0);
   EXPECT_EQ(guard_.state(), GuardState::standing);
-  EXPECT_NE(guard_.worries() & kBlind, 0u);
+  EXPECT_NE(guard_.warnings() & kBlind, 0u);
 }
 
 TEST_F(GuardTest, DoesNotMoveABodyOfAnotherVersion) {

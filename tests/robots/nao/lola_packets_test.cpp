@@ -174,10 +174,10 @@ TEST_F(LolaStream, RejectsAPacketWithoutAnEnd) {
   send(std::array{std::byte{0xdb}, std::byte{0x7f}, std::byte{0xff}, std::byte{0xff}, std::byte{0xff}});
   EXPECT_EQ(stream_.next(packet), PacketStream::State::waiting);
   send(std::vector<std::byte>(PacketStream::kLongest));
-  EXPECT_EQ(stream_.next(packet), PacketStream::State::nonsense);
+  EXPECT_EQ(stream_.next(packet), PacketStream::State::invalid);
 }
 
-TEST(HeadPitchRange, MatchesTheBodyFile) {
+TEST(HeadPitchRange, MatchesTheNeckOfTheEngine) {
   const NeckReach neck;
   for (double yaw = -2.08; yaw < 2.08; yaw += 0.05) {
     const PitchRange range = head_pitch_range(static_cast<float>(yaw));

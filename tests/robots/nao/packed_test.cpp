@@ -57,9 +57,9 @@ TEST(Packed, FindsTheEndOfAValue) {
 }
 
 TEST(Packed, RejectsTooDeepNesting) {
-  EXPECT_EQ(first_packed_value(bytes({0xdf, 0xff, 0xff, 0xff, 0xff})).state, State::nonsense);
-  EXPECT_EQ(first_packed_value(bytes({0xc1})).state, State::nonsense);
-  EXPECT_EQ(first_packed_value(bytes({0xd4, 0, 0})).state, State::nonsense);
+  EXPECT_EQ(first_packed_value(bytes({0xdf, 0xff, 0xff, 0xff, 0xff})).state, State::invalid);
+  EXPECT_EQ(first_packed_value(bytes({0xc1})).state, State::invalid);
+  EXPECT_EQ(first_packed_value(bytes({0xd4, 0, 0})).state, State::invalid);
   const std::vector<std::byte> deep(100'000, std::byte{0x91});  // arrays in arrays
   EXPECT_EQ(first_packed_value(deep).state, State::cut_short);
 }

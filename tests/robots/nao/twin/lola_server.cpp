@@ -96,7 +96,7 @@ void LolaServer::hear(long until, const std::function<void(const Command&)>& tak
         ++counts_.answers;
       }
     }
-    if (state == PacketStream::State::nonsense) {
+    if (state == PacketStream::State::invalid) {
       ++counts_.nonsense;
       hang_up();
     }
