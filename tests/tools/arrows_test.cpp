@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of the arrows, on small houses of its own.
+// tools/arrows on small trees.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -38,7 +38,7 @@ class House : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  /// What the check prints, and its exit code.
+  /// The output of the check and its exit code.
   std::string check(const std::string& option = "") {
     std::string text;
     const std::string command = (folder.path() / "tools" / "arrows").string() + " " + option + " 2>&1";
@@ -51,19 +51,19 @@ class House : public testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(House, PassesWhereAllArrowsRunAsTheTableSays) { EXPECT_EQ(check(), "exit 0"); }
+TEST_F(House, PassesIfTheTableAllowsAllIncludes) { EXPECT_EQ(check(), "exit 0"); }
 
-TEST_F(House, FailsAnIncludeThatTheTableDoesNotAllowWithItsLine) {
+TEST_F(House, ReportsAnIncludeThatTheTableDoesNotAllowWithItsLine) {
   write("ground/stone.cpp", "\n  #  include \"upper/beam.h\"\n");
   EXPECT_EQ(check(), "ground/stone.cpp:2: includes upper/beam.h, but ground/ must not include upper/\nexit 1");
 }
 
-TEST_F(House, IsNotFooledByAngleBrackets) {
+TEST_F(House, AlsoChecksIncludesInAngleBrackets) {
   write("ground/stone.cpp", "#include <upper/beam.h>\n");
   EXPECT_EQ(check(), "ground/stone.cpp:1: includes upper/beam.h, but ground/ must not include upper/\nexit 1");
 }
 
-TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
+TEST_F(House, DrawsTheDiagramOfItsTableAndReportsAnotherOne) {
   const std::string rooms =
       "<!-- arrows: begin -->\n| `ground/` | – |\n| `upper/` | `ground/` |\n| `attic/` | `ground/`, `upper/` |\n"
       "| `roof/` | everything |\n<!-- arrows: end -->\n";
@@ -72,7 +72,7 @@ TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
             "docs/architecture.md: the diagram differs from the table; tools/arrows --draw draws it again\nexit 1");
   EXPECT_EQ(check("--draw"), "exit 0");
   EXPECT_EQ(check(), "exit 0");
-  // That the attic stands on the ground follows from what stands between.
+  // The diagram has no arrow from the attic to the ground, because it follows from the other arrows.
   EXPECT_EQ(
       read("docs/architecture.md"),
       rooms +
@@ -80,24 +80,24 @@ TEST_F(House, DrawsThePictureOfItsTableAndFailsAnother) {
           "  ground_[\"ground/\"]\n  attic_ --> upper_\n  upper_ --> ground_\n```\n<!-- house: end -->\nThe end.\n");
 }
 
-TEST_F(House, FailsAnIncludeOfWhatIsNotThere) {
+TEST_F(House, ReportsAnIncludeOfAMissingFile) {
   write("upper/beam.cpp", "#include \"beam.h\"\n");
   EXPECT_EQ(check(), "upper/beam.cpp:1: unknown header beam.h (expected a path from the top of the tree)\nexit 1");
 }
 
-TEST_F(House, FailsAFileInNoRoom) {
+TEST_F(House, ReportsAFileOutsideOfAllModules) {
   write("shed/rake.h", "");
   EXPECT_EQ(check(), "shed/rake.h: unknown module (expected one of docs/architecture.md)\nexit 1");
 }
 
-TEST_F(House, FailsACircleOfIncludesWithinARoom) {
+TEST_F(House, ReportsACycleOfIncludesWithinAModule) {
   write("upper/a.h", "#include \"upper/b.h\"\n");
   write("upper/b.h", "#include \"upper/c.h\"\n");
   write("upper/c.h", "#include \"upper/b.h\"\n");
   EXPECT_EQ(check(), "includes form a cycle: upper/b.h upper/c.h upper/b.h\nexit 1");
 }
 
-TEST_F(House, FailsACircleOfFoldersWithinARoom) {
+TEST_F(House, ReportsACycleOfFoldersWithinAModule) {
   write("upper/left/a.h", "#include \"upper/right/deep/b.h\"\n");
   write("upper/right/deep/b.h", "");
   write("upper/right/c.h", "#include \"upper/left/d.h\"\n");
@@ -105,13 +105,13 @@ TEST_F(House, FailsACircleOfFoldersWithinARoom) {
   EXPECT_EQ(check(), "includes of folders form a cycle: upper/left/ upper/right/ upper/left/\nexit 1");
 }
 
-TEST_F(House, FailsACircleInTheTable) {
+TEST_F(House, ReportsACycleInTheTable) {
   write("docs/architecture.md",
         "<!-- arrows: begin -->\n| `ground/` | `upper/` |\n| `upper/` | `ground/` |\n<!-- arrows: end -->\n");
   EXPECT_EQ(check(), "docs/architecture.md: modules form a cycle: ground/ upper/ ground/\nexit 1");
 }
 
-TEST_F(House, AsksForATable) {
+TEST_F(House, RequiresATable) {
   write("docs/architecture.md", "no table\n");
   EXPECT_EQ(check(),
             "tools/arrows: docs/architecture.md: expected a table of modules after <!-- arrows: begin -->, found none\n"

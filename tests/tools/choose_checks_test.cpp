@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which checks a change needs, in a small project of its own with a history.
+// tools/choose-checks in a small project with a history.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -72,7 +72,7 @@ class ChooseChecks : public testing::Test {
     git("add -A");
     git("commit -q --allow-empty -m '" + title + "'");
   }
-  /// The names that are chosen after a file was changed and committed, each followed by a blank.
+  /// The names that are chosen after a file was changed and committed, each with a blank after it.
   std::string chosen_after(const std::string& file) const {
     folder_.write(file, "2\n");
     commit("a change");
@@ -85,31 +85,29 @@ class ChooseChecks : public testing::Test {
 
 constexpr const char* kEverything = "everything runs bundles sanitizers code 0\n";
 
-TEST_F(ChooseChecks, ChoosesNothingWhereNothingChanged) {
-  EXPECT_NE(choice().find("changed since"), std::string::npos);
-}
+TEST_F(ChooseChecks, ChoosesNothingIfNothingChanged) { EXPECT_NE(choice().find("changed since"), std::string::npos); }
 
-TEST_F(ChooseChecks, ChoosesTheGroupsThatDependOnWhatChanged) {
+TEST_F(ChooseChecks, ChoosesTheGroupsThatDependOnAChange) {
   EXPECT_EQ(chosen_after("geometry/angle.h"), "runs bundles sanitizers code 0\n");
 }
 
-TEST_F(ChooseChecks, LeavesOutWhatDoesNotDependOnIt) {
+TEST_F(ChooseChecks, LeavesOutGroupsThatDoNotDependOnAChange) {
   EXPECT_EQ(chosen_after("engine/script/host.cpp"), "bundles sanitizers code 0\n");
 }
 
-TEST_F(ChooseChecks, KnowsTheFilesOutsideOfTheArchitecture) {
+TEST_F(ChooseChecks, ChoosesGroupsByPathOutsideOfTheArchitecture) {
   EXPECT_EQ(chosen_after("scripts/scan.lua"), "runs code 0\n");
 }
 
-TEST_F(ChooseChecks, KnowsTheEndingsOfFiles) { EXPECT_EQ(chosen_after("docs/a.hpp"), "runs code 0\n"); }
+TEST_F(ChooseChecks, ChoosesGroupsByFileExtension) { EXPECT_EQ(chosen_after("docs/a.hpp"), "runs code 0\n"); }
 
 TEST_F(ChooseChecks, RunsNoMoreThanTheGateForADocument) { EXPECT_EQ(chosen_after("docs/frame.md"), "code 0\n"); }
 
-TEST_F(ChooseChecks, TakesAChangedTestForItsOwnGroupsOnly) {
+TEST_F(ChooseChecks, ChoosesOnlyItsOwnGroupsForAChangedTest) {
   EXPECT_EQ(chosen_after("tests/runs/run_test.cpp"), "runs code 0\n");
 }
 
-TEST_F(ChooseChecks, NamesTheFoldersThatTheSanitizersAreFor) {
+TEST_F(ChooseChecks, ListsTheFoldersForTheSanitizers) {
   folder_.write("engine/frame.cpp", "2\n");
   folder_.write("tests/engine/state_test.cpp", "2\n");
   EXPECT_NE(choice().find("sanitizers\tengine\t"), std::string::npos) << choice();
@@ -120,7 +118,7 @@ TEST_F(ChooseChecks, RunsEverythingForAFileThatNoGroupLists) {
   EXPECT_NE(choice().find("something.new is in neither table"), std::string::npos) << choice();
 }
 
-TEST_F(ChooseChecks, RunsEverythingForWhatBuildsAndWhatChooses) {
+TEST_F(ChooseChecks, RunsEverythingForChangesOfTheBuildAndOfTheChoice) {
   for (const char* const file :
        {"cmake/tests.cmake", "CMakePresets.json", "tools/packages-lint", ".ci/run", "tests/paths.h"}) {
     folder_.write(file, "2\n");
@@ -129,29 +127,29 @@ TEST_F(ChooseChecks, RunsEverythingForWhatBuildsAndWhatChooses) {
   }
 }
 
-TEST_F(ChooseChecks, CountsWhatIsNotCommittedYet) {
+TEST_F(ChooseChecks, IncludesUncommittedChanges) {
   folder_.write("scripts/scan.lua", "2\n");
   EXPECT_NE(choice().find("runs\t\tscripts/scan.lua"), std::string::npos) << choice();
 }
 
-TEST_F(ChooseChecks, CountsAFileThatWasRemoved) {
+TEST_F(ChooseChecks, IncludesARemovedFile) {
   std::filesystem::remove(folder_.path() / "scripts/scan.lua");
   commit("removed");
   EXPECT_NE(choice().find("runs\t\tscripts/scan.lua"), std::string::npos) << choice();
 }
 
-TEST_F(ChooseChecks, TellsOfATestThatIsGone) {
+TEST_F(ChooseChecks, ReportsARemovedTest) {
   folder_.write("tests/engine/frame_test.cpp", "");
   commit("a test is removed");
   EXPECT_NE(choice().find("removed since "), std::string::npos) << choice();
   EXPECT_NE(choice().find("TEST(Frame, IsAValue)"), std::string::npos) << choice();
 }
 
-TEST_F(ChooseChecks, RunsEverythingWhereItIsAskedTo) {
+TEST_F(ChooseChecks, RunsEverythingOnRequest) {
   EXPECT_NE(run("env REORIENT_CI=all tools/choose-checks").find("runs\t\tREORIENT_CI=all"), std::string::npos);
 }
 
-TEST_F(ChooseChecks, DoesNotBelieveARecordThatDoesNotMatch) {
+TEST_F(ChooseChecks, IgnoresARecordThatDoesNotMatch) {
   const std::string file = ".ci/last-full-run";
   const std::string good = run("cat .ci/last-full-run");
   const std::string commit = good.substr(0, 40), digest = good.substr(52, 64);
@@ -170,7 +168,7 @@ TEST_F(ChooseChecks, DoesNotBelieveARecordThatDoesNotMatch) {
   EXPECT_NE(choice().find("is missing"), std::string::npos) << choice();
 }
 
-TEST_F(ChooseChecks, DoesNotBelieveARecordOfAnotherBranch) {
+TEST_F(ChooseChecks, IgnoresARecordOfAnotherBranch) {
   git("checkout -q --orphan other");
   commit("another history");
   EXPECT_NE(choice().find("is not an ancestor of HEAD"), std::string::npos) << choice();
@@ -188,13 +186,13 @@ TEST_F(ChooseChecks, RunsEverythingAgainAfterAWeekOrManyCommits) {
   EXPECT_NE(choice().find("commits old (limit 150)"), std::string::npos) << choice();
 }
 
-TEST_F(ChooseChecks, RecordsOnlyWhatIsCommitted) {
+TEST_F(ChooseChecks, RecordsOnlyACommittedTree) {
   folder_.write("scripts/scan.lua", "3\n");
   const std::string said = run("tools/choose-checks --record .ci/last-full-run");
   EXPECT_NE(said.find("is not written: the work tree differs from HEAD (scripts/scan.lua)"), std::string::npos) << said;
 }
 
-TEST_F(ChooseChecks, RefusesWhatItDoesNotKnow) {
+TEST_F(ChooseChecks, RefusesUnknownArguments) {
   EXPECT_NE(run("tools/choose-checks --all").find("unknown arguments: --all"), std::string::npos);
   EXPECT_TRUE(run("tools/choose-checks --record elsewhere").ends_with("code 2\n"));
   folder_.write("CONTRIBUTING.md", "no table\n");

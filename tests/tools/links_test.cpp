@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of the links, on small trees of its own.
+// tools/links on small trees.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -28,7 +28,7 @@ class Pages : public testing::Test {
     std::ofstream(folder.path() / file) << text;
   }
 
-  /// What the check prints, and its exit code.
+  /// The output of the check and its exit code.
   std::string check() {
     std::string text;
     FILE* const pipe = popen(((folder.path() / "tools" / "links").string() + " 2>&1").c_str(), "r");
@@ -40,7 +40,7 @@ class Pages : public testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(Pages, PassWhereAllLinksLeadSomewhere) {
+TEST_F(Pages, PassIfTheTargetsOfAllLinksExist) {
   write("README.md",
         "[guide](docs/guide.md), [step](docs/guide.md#step-1-go), [here](#top), [all](docs), [web](https://no.one)\n# "
         "Top\n");
@@ -48,22 +48,22 @@ TEST_F(Pages, PassWhereAllLinksLeadSomewhere) {
   EXPECT_EQ(check(), "exit 0");
 }
 
-TEST_F(Pages, FailWithTheLineOfALinkToNowhere) {
+TEST_F(Pages, FailWithTheLineOfALinkToAMissingFile) {
   write("docs/other.md", "\n[one](guide.md) [two](README.md)\n");
   EXPECT_EQ(check(), "docs/other.md:2: missing file README.md (expected a path from docs/)\nexit 1");
 }
 
-TEST_F(Pages, FailALinkToAHeadingThatIsNotThere) {
+TEST_F(Pages, FailALinkToAMissingHeading) {
   write("README.md", "[step](docs/guide.md#step-2)\n");
   EXPECT_EQ(check(), "README.md:1: docs/guide.md has no heading #step-2\nexit 1");
 }
 
-TEST_F(Pages, FailAReferenceToNowhere) {
+TEST_F(Pages, FailAReferenceToAMissingFile) {
   write("README.md", "[one][two]\n\n[two]: docs/two.md\n");
   EXPECT_EQ(check(), "README.md:3: missing file docs/two.md (expected a path from the top)\nexit 1");
 }
 
-TEST_F(Pages, AreNotReadInCode) {
+TEST_F(Pages, MayContainAnyLinkInCode) {
   write("README.md", "`[a](b)`\n```lua\nt[1](nothing)\n```\n");
   EXPECT_EQ(check(), "exit 0");
 }

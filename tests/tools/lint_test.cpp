@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools/lint on small trees of its own.
+// tools/lint on small trees.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kCleanHeader = "#pragma once\ninline int* address() { return nullptr; }\n";
 constexpr const char* kHeaderWithFinding = "#pragma once\ninline int* address() { return 0; }\n";
 
-/// What a command prints, and its exit code.
+/// The output of a command and its exit code.
 std::string output_of(const std::string& command) {
   std::string text;
   FILE* const pipe = popen(command.c_str(), "r");
@@ -57,7 +57,7 @@ class LintedTree {
 
   std::string lint(const std::string& options = "") { return run("tools/lint " + options); }
 
-  /// What a line of shell prints at the top of the tree, and its exit code.
+  /// Runs a line of shell at the top of the tree. Returns its output and its exit code.
   std::string run(const std::string& line) {
     return output_of("cd '" + folder_.path().string() + "' && export PATH=\"$PWD/bin:$PATH\" XDG_CACHE_HOME='" +
                      cache_.path().string() + "' && { " + line + "; } 2>&1");
@@ -121,7 +121,7 @@ TEST_F(Lint, ReportsASourceThatDoesNotCompileOnEachRun) {
   EXPECT_EQ(tree.lint(), result);
 }
 
-TEST_F(Lint, TakesCleanResultsFromTheCacheInACloneAtAnotherPath) {
+TEST_F(Lint, UsesCleanResultsFromTheCacheInACloneAtAnotherPath) {
   EXPECT_EQ(tree.lint(), "tools/lint: clang-tidy reads 2 sources\nexit 0");
   LintedTree clone(cache);
   EXPECT_EQ(clone.lint(), "tools/lint: clang-tidy reads 0 sources\nexit 0");
@@ -166,7 +166,7 @@ TEST_F(Lint, AcceptsEqualNamesInDifferentTargets) {
   EXPECT_EQ(tree.lint(), "tools/lint: clang-tidy reads 2 sources\nexit 0");
 }
 
-TEST_F(Lint, ReadsWithSinceOnlyWhatChanged) {
+TEST_F(Lint, ReadsOnlyChangedSourcesWithSince) {
   tree.write(".gitignore", "/build/\n");
   EXPECT_EQ(tree.run("git init -q && git add . && git -c user.name=a -c user.email=a@b commit -qm first"), "exit 0");
   tree.write("part/b.cpp", "int* b() { return nullptr; }\n");
@@ -183,7 +183,7 @@ TEST_F(Lint, RejectsAnUnknownOptionWithExitCode2) {
 }
 
 TEST_F(Lint, LeavesNoProcessAndNoFileWhenItIsInterrupted) {
-  // In place of clang-tidy, a program with a child that takes too long.
+  // Replace clang-tidy with a program that has a child that takes too long.
   tree.write_program("bin/clang-tidy-14",
                      "[ \"$1\" = --version ] && { echo 'LLVM version 14.0.6'; exit; }\n"
                      "sleep 1000 & echo $! >../../started.new; mv ../../started.new ../../started; wait");

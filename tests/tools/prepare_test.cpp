@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ./reorient and ./test do before they build, with programs that only say how they were called.
+// tools/prepare, which ./reorient and ./test use before they build, with programs that only print their arguments.
 #include <filesystem>
 #include <string>
 
@@ -26,7 +26,7 @@ class Tree : public testing::Test, protected ToolTree {
     folder.write("build/release/CMakeCache.txt", "A:STRING=b\nCMAKE_HOME_DIRECTORY:INTERNAL=" + home.string() + "\n");
   }
 
-  /// What a build says, and then how cmake was called.
+  /// The output of a build, then the arguments of cmake.
   std::string build() { return run("export REORIENT_JOBS=3; . tools/prepare; build all; cat calls").text; }
 
   std::string install_optional_packages() {
@@ -39,16 +39,16 @@ class Tree : public testing::Test, protected ToolTree {
 
 constexpr const char* kBuilds = "cmake --build --preset release -j 3 --target all\n";
 
-TEST_F(Tree, IsConfiguredWhereThereIsNoBuild) {
+TEST_F(Tree, IsConfiguredIfNoBuildExists) {
   EXPECT_EQ(build(), std::string("reorient: building (a few minutes, once)\ncmake --preset release\n") + kBuilds);
 }
 
-TEST_F(Tree, IsNotConfiguredAgainWhereItStayed) {
+TEST_F(Tree, IsNotConfiguredAgainAtTheSamePath) {
   configured_for(folder.path());
   EXPECT_EQ(build(), kBuilds);
 }
 
-TEST_F(Tree, IsConfiguredAgainWhereItWasMoved) {
+TEST_F(Tree, IsConfiguredAgainAfterItWasMoved) {
   configured_for("/where/it/was");
   EXPECT_EQ(build(),
             std::string("reorient: the build folder belongs to /where/it/was; building again (a few minutes, once)\n"
@@ -56,7 +56,7 @@ TEST_F(Tree, IsConfiguredAgainWhereItWasMoved) {
                 kBuilds);
 }
 
-TEST_F(Tree, IsConfiguredAgainWhereItIsACopy) {
+TEST_F(Tree, IsConfiguredAgainIfItIsACopy) {
   const TemporaryFolder original;
   configured_for(original.path());
   EXPECT_EQ(build(), "reorient: the build folder belongs to " + original.path().string() +
@@ -70,7 +70,7 @@ TEST_F(Tree, InstallsOptionalPackagesWhoseCommandIsMissing) {
   EXPECT_NE(run("cat calls").text.find("\none\nthree\n"), std::string::npos);
 }
 
-TEST_F(Tree, ContinuesWithoutAnOptionalPackageThatAptDoesNotKnow) {
+TEST_F(Tree, ContinuesWithoutAnOptionalPackageThatIsUnknownToApt) {
   write_program("id", "echo 0");
   write_program("apt-get", "for last; do :; done; [ \"$last\" != one ]");
   EXPECT_EQ(install_optional_packages(),
@@ -78,7 +78,7 @@ TEST_F(Tree, ContinuesWithoutAnOptionalPackageThatAptDoesNotKnow) {
             "reorient: apt could not install: one (tests that need them are skipped)\n");
 }
 
-TEST_F(Tree, ContinuesWithoutOptionalPackagesWhereThereIsNoRoot) {
+TEST_F(Tree, ContinuesWithoutOptionalPackagesIfRootIsNotAvailable) {
   write_program("id", "echo 1000");
   write_program("sudo", "exit 1");
   EXPECT_EQ(install_optional_packages(),

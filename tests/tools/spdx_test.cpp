@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools/spdx on a small tree of its own.
+// tools/spdx on a small tree.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST_F(Spdx, ReportsAnotherLicense) {
             "a.h: license GPL-3.0-only (expected MIT, as in LICENSE)\nexit 1");
 }
 
-TEST_F(Spdx, RejectsALicenseThatItDoesNotKnow) {
+TEST_F(Spdx, RejectsAnUnknownLicense) {
   write("LICENSE", "A license\n");
   EXPECT_EQ(run("tools/spdx"), "tools/spdx: LICENSE: unknown license 'A license' (expected MIT License)\nexit 2");
 }

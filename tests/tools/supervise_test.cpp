@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nothing outlives tools/supervise, however it ends.
+// tools/supervise: no process that it started is left after its end.
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -21,7 +21,7 @@ const std::string kSupervise = std::string(kSourceFolder) + "/tools/supervise";
 
 class Supervised : public testing::Test {
  protected:
-  /// Starts a shell below tools/supervise.
+  /// Starts a shell under tools/supervise.
   pid_t start(const std::string& script) const {
     const pid_t process = fork();
     if (process == 0) {
@@ -37,7 +37,7 @@ class Supervised : public testing::Test {
     waitpid(process, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
-  /// The number that the script wrote into a file, once it is there.
+  /// Waits for the number that the script writes to a file.
   pid_t process_in(const std::string& name) const {
     for (int i = 0; i < 12'000; ++i) {
       std::ifstream in(folder_.path() / name);
@@ -64,7 +64,7 @@ TEST_F(Supervised, HasTheCommandsExitCode) {
   EXPECT_EQ(code_of(start("exit 0")), 0);
 }
 
-TEST_F(Supervised, LeavesNoDaemonBehindWhenTheCommandHasEnded) {
+TEST_F(Supervised, EndsDaemonsAfterTheCommandHasEnded) {
   const pid_t command =
       start("setsid sh -c 'echo $$ >daemon; exec sleep 1000' & while [ ! -s daemon ]; do sleep 0.01; done");
   EXPECT_EQ(code_of(command), 0);
@@ -85,7 +85,7 @@ TEST_F(Supervised, EndsEverythingWhenItIsInterrupted) {
   }
 }
 
-TEST_F(Supervised, RefusesToRunNothing) {
+TEST_F(Supervised, RequiresACommand) {
   EXPECT_EQ(WEXITSTATUS(std::system((kSupervise + " 2>/dev/null").c_str())), 2);
   EXPECT_EQ(WEXITSTATUS(std::system((kSupervise + " /nowhere/command 2>/dev/null").c_str())), 127);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder with tools of this project and programs that stand in for those of the system.
+// A folder with tools of this project and programs that replace those of the system.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class ToolTree {
     std::filesystem::copy(std::filesystem::path(kSourceFolder) / file, folder.path() / file);
   }
 
-  /// A program of the search path, as the text of a shell script.
+  /// Adds a program to the search path, given as the text of a shell script.
   void write_program(const std::string& name, const std::string& text) const {
     const std::filesystem::path file = folder.write("bin/" + name, "#!/bin/sh\n" + text + "\n");
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);

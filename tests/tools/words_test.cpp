@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools/words on small trees of its own.
+// tools/words on small trees.
 #include <algorithm>
 #include <string>
 
@@ -44,7 +44,7 @@ TEST_F(Words, ChecksOnlyTheFilesThatAreGiven) {
   EXPECT_EQ(check("other.md"), "other.md:1: 'wonky' (write: unstable)\nexit 1");
 }
 
-TEST_F(Words, MatchesPartsOfWordsOnlyWhereAStarSaysSo) {
+TEST_F(Words, MatchesPartsOfWordsOnlyWithAStar) {
   write_rules();
   write("a.md", "wonkyness, unwonky, flavors, unflavored\n");
   EXPECT_EQ(check(), "a.md:1: 'flavors' (write: taste)\na.md:1: 'unflavored' (write: taste)\nexit 1");
