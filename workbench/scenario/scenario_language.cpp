@@ -110,9 +110,8 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
           "Sets the state of the game: initial, ready, set, playing, finished, standby or unknown."),
       script_function<&A::stop_game>("operator.stop_game", {"stopped"},
                                      "Stops all motion of the robots, or permits it again."),
-      script_function<&A::set_kick_off>(
-          "operator.set_kick_off", {"side"},
-          "Sets the team that kicks off next: one of the values of game.kick_off."),
+      script_function<&A::set_kick_off>("operator.set_kick_off", {"side"},
+                                        "Sets the team that kicks off next: one of the values of game.kick_off."),
       script_function<&A::set_exposure_compensation>(
           "operator.set_exposure_compensation", {"stops"},
           "Changes the hall's light relative to the camera's exposure, in powers of two."),
