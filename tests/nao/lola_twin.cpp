@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// LoLA in real time, in front of a body that falls where it is told wrong things: a packet every 12 ms, an answer
-// wanted before the next one.
+// A simulated LoLA in real time, with a body that falls after invalid commands. It sends a packet every 12 ms and
+// expects an answer before the next one.
 //   lola_twin SOCKET STATUS [SECONDS]
-// STATUS: a file that says once a second, and in the end, how the body does. Commands on its standard input, a line
-// each: push, lift, close (the connection), silent (for 3 s), split, hot, cool.
+// STATUS: file to which it writes the state of the body once a second and at the end. Reads commands from the standard
+// input, one per line: push, lift, close (the connection), silent (for 3 s), split, hot, cool.
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -25,7 +25,7 @@
 namespace reorient::nao {
 namespace {
 
-/// Of all processors, since the machine was started: what others took of them, ticks of 10 ms.
+/// Stolen time of all processors since the start of the computer, in ticks of 10 ms.
 long stolen() {
   std::ifstream file("/proc/stat");
   std::string name;
@@ -48,7 +48,7 @@ class Twin {
     while (ended == 0 && (seconds <= 0.0 || monotonic_nanoseconds() - begin < static_cast<long>(1e9 * seconds))) {
       next += kCycleNanoseconds;
       server_.hear(next, [this](const Command& command) { body_.take(command); });
-      if (monotonic_nanoseconds() - next > kCycleNanoseconds) {  // we ourselves were kept from running
+      if (monotonic_nanoseconds() - next > kCycleNanoseconds) {  // this process could not run in time
         ++own_delays_;
         next = monotonic_nanoseconds();
       }
@@ -132,7 +132,7 @@ int main(int count, char** words) {
   for (const int number : {SIGINT, SIGTERM}) std::signal(number, [](int) { reorient::nao::ended = 1; });
   std::signal(SIGPIPE, SIG_IGN);
   fcntl(STDIN_FILENO, F_SETFL, O_NONBLOCK);
-  // A robot's own service has real time, too.
+  // The service of a real robot has real-time priority, too.
   sched_param parameter{};
   parameter.sched_priority = 30;
   static_cast<void>(sched_setscheduler(0, SCHED_FIFO, &parameter));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job of a robot that only turns its head: it learns the room, is carried to the reflection of its belief,
-// notices, and flips.
+// The main job of a robot that only turns its head: it learns the room, the operator moves it to the mirrored pose of
+// its belief, and it detects this and flips.
 #pragma once
 
 #include <filesystem>
@@ -38,7 +38,7 @@ inline const Room& hall() {
 
 inline Pose2 beside_the_field() { return Pose2(-FieldDimensions{}.penalty_mark_x, -3.5, kPi / 2.0); }
 
-/// What was granted on the way.
+/// The commands that were granted during the run.
 struct Flips : Observer {
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     if (frame.reorientation && frame.reorientation->reorientation == Reorientation::flip_pose) ++count;
@@ -46,7 +46,7 @@ struct Flips : Observer {
   int count = 0;
 };
 
-/// Plays the scenario; its verdict.
+/// Plays the scenario and returns its verdict.
 inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t seed, Flips& flips,
                                            Observer* another = nullptr) {
   const ScriptTexts scripts = read_scripts(std::filesystem::path(kSourceFolder) / "scripts");
@@ -64,7 +64,7 @@ inline std::optional<ScenarioVerdict> play(RobotInstance& robot, std::uint64_t s
   return scenario.record().verdict;
 }
 
-/// The robot stands before the scenario begins, as after a press of its button.
+/// Waits until the robot stands, as after a press of its button, before the scenario starts.
 inline bool stand_up(nao::Nao& nao) {
   Observation observation;
   while (nao.guard().state != nao::GuardState::standing) {

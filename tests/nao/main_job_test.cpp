@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job by a robot that only turns its head, in simulated time: once through the twins of LoLA and V4L2 with the
-// guard in between, once on the plain simulator.
+// The main job of a robot that only turns its head, in simulated time: once through the guard and the simulated LoLA
+// and V4L2, once directly on the simulator.
 #include "tests/nao/main_job.h"
 
 #include <memory>
@@ -32,7 +32,7 @@ TEST_P(MainJob, EndsRightThroughLolaAndV4l2) {
   const TemporaryFolder folder;
   RecorderOptions recording;
   recording.file = folder.path() / "run.mcap";
-  recording.most_waiting = std::size_t{512} << 20;  // ten times real time, on whatever disk
+  recording.most_waiting = std::size_t{512} << 20;  // ten times faster than real time, on any disk
   Recorder recorder(recording, [](const std::string& trouble) { ADD_FAILURE() << trouble; });
   const std::optional<ScenarioVerdict> verdict = play(robot, GetParam(), flips, &recorder);
   ASSERT_TRUE(verdict);
@@ -42,7 +42,7 @@ TEST_P(MainJob, EndsRightThroughLolaAndV4l2) {
   const Replayed replayed = replay(folder.path() / "run.mcap");
   EXPECT_EQ(replayed.frames, recorder.counts().frames);
   EXPECT_EQ(replayed.different, 0u);
-  EXPECT_EQ(world.body().complaint(), "") << "a joint was told what it cannot do";
+  EXPECT_EQ(world.body().complaint(), "") << "a joint got an invalid command";
   EXPECT_EQ(world.body().falls(), 0);
 }
 

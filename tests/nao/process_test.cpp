@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The guard and the program as processes, in real time: what they say when something is missing, and that they end.
+// The guard and the program as processes, in real time: messages about missing inputs, and the end of the processes.
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -27,7 +27,7 @@ class NaoProcesses : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(NaoProcesses, GetOneLineForOptionsThatANaoDoesNotUse) {
+TEST_F(NaoProcesses, RefuseOptionsThatANaoDoesNotUseWithOneLine) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao: expected no scenario"},
       {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: used by the simulator only"},
@@ -75,7 +75,7 @@ TEST_F(NaoProcesses, TheCamerasOfASimulatedRobotAreCalibrated) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / picture)) << picture;
 }
 
-TEST_F(NaoProcesses, TheProgramSaysThatNoGuardIsThereAndWaitsForOne) {
+TEST_F(NaoProcesses, TheProgramReportsAMissingGuardAndWaitsForIt) {
   ChildProgram program(folder_.path(), {"run", "--robot", "nao", "--guard", file("body")});
   EXPECT_TRUE(program.await("no guard is running; start reorient-nao-guard")) << program.err();
   program.kill(SIGTERM);
@@ -101,7 +101,7 @@ TEST_F(NaoProcesses, TheGuardRefusesInvalidOptions) {
   }
 }
 
-/// SIGHUP: the login from which it was started is lost.
+/// SIGHUP is sent if the login from which the guard was started is lost.
 TEST_F(NaoProcesses, TheGuardConnectsToTheRobotAndEndsOnASignal) {
   const std::string lola = file("lola"), body = file("body"), said = file("said");
   const std::string limit = std::to_string(kWaitLimit.count()), tries = std::to_string(10 * kWaitLimit.count());
@@ -113,14 +113,14 @@ TEST_F(NaoProcesses, TheGuardConnectsToTheRobotAndEndsOnASignal) {
   };
   for (const char* const signal : {"TERM", "HUP"}) {
     SCOPED_TRACE(signal);
-    std::filesystem::remove(said);  // what the guard before has said is not waited for
+    std::filesystem::remove(said);  // do not read the output of the previous guard
     EXPECT_EQ(std::system(ended_by(signal).c_str()), 0) << read_text(said);
     EXPECT_NE(read_text(said).find("connected to LoLA"), std::string::npos) << read_text(said);
   }
 }
 
-/// The whole job takes a robot's time: nao_real_time_job GUARD. Here it ends as soon as the robot stands.
-TEST_F(NaoProcesses, AndTheTwinsOfLolaAndV4l2WorkTogetherInRealTime) {
+/// The whole job takes as long as on a robot: nao_real_time_job GUARD. Here it ends as soon as the robot stands.
+TEST_F(NaoProcesses, WorkWithTheSimulatedLolaAndV4l2InRealTime) {
   const std::string command = std::string(kRealTimeJob) + " " + kGuard + " 1 320 " +
                               std::to_string(kWaitLimit.count()) + " >" + file("out") + " 2>" + file("err");
   EXPECT_EQ(std::system(command.c_str()), 0) << read_text(file("out")) << read_text(file("err"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The main job in real time: the real guard as a process of its own between LoLA's socket and the memory that it shares
-// with us, images through the fake of V4L2, the simulator behind both. Takes as long as it would take a robot.
+// The main job in real time: the guard as a separate process between LoLA's socket and the shared memory, images
+// through the simulated V4L2, and the simulator behind both. Takes as long as on a robot.
 //   nao_real_time_job GUARD [SEED] [WIDTH] [SECONDS]
-// Exit code 1 where it does not end right, or a joint is told what it cannot do. With SECONDS it only stands and looks
-// for so long.
+// Exit code 1: the job does not end right, or a joint gets an invalid command. With SECONDS the robot only stands and
+// looks around for this time.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -31,7 +31,7 @@ namespace {
 
 double now() { return 1e-9 * static_cast<double>(nao::monotonic_nanoseconds()); }
 
-/// The guard as a process; it sits the robot down when it is asked to end.
+/// The guard as a process. When it is terminated, the robot sits down.
 class GuardProcess {
  public:
   GuardProcess(std::string program, std::string lola, std::string body) {
@@ -52,7 +52,7 @@ class GuardProcess {
   pid_t process_ = -1;
 };
 
-/// What is served while the engine's robot waits.
+/// Serves LoLA and the cameras while the engine's robot waits.
 class World {
  public:
   World(int width, const RobotBody& body, std::uint64_t seed, const std::string& lola, std::string shared)
@@ -98,7 +98,7 @@ class World {
     }
     nao_.show(now());
     next_ += nao::kCycleNanoseconds;
-    if (nao::monotonic_nanoseconds() > next_) {  // the engine's frame, or others on this machine, took longer
+    if (nao::monotonic_nanoseconds() > next_) {  // the engine's frame, or another program on this computer, took longer
       ++delays_;
       next_ = nao::monotonic_nanoseconds();
     }
@@ -142,7 +142,7 @@ int run(const char* guard, std::uint64_t seed, int width, double seconds) {
   std::printf("%s\nflips %d\nseconds %.0f\nLoLA: answers %ld, missed %ld, slowest %ld us, late cycles of ours %ld\n",
               told.c_str(), flips.count, now() - begin, counts.answers, counts.missed, counts.slowest / 1000,
               world.delays());
-  if (!complaint.empty()) std::printf("a joint was told what it cannot do: %s\n", complaint.c_str());
+  if (!complaint.empty()) std::printf("a joint got an invalid command: %s\n", complaint.c_str());
   return succeeded && complaint.empty() ? 0 : 1;
 }
 
