@@ -131,8 +131,8 @@ SensedField summary_of(const FieldPercepts& percepts, const HeadAngles& head) {
   return seen;
 }
 
-Decision decide(const World& world, std::span<const Message> heard, Behaviors& behaviors, Arbiter& arbiter) {
-  behaviors.tick(world, heard);
+Decision decide(const World& world, std::span<const Message> messages, Behaviors& behaviors, Arbiter& arbiter) {
+  behaviors.tick(world, messages);
   const Arbitration& arbitration = arbiter.arbitrate(behaviors.wanted().commands, behaviors.leases(), world);
   return {arbitration, behaviors.wanted()};
 }

@@ -64,7 +64,7 @@ struct Decision {
   const Arbitration& arbitration;
   const BehaviorOutput& requests;
 };
-Decision decide(const World& world, std::span<const Message> heard, Behaviors& behaviors, Arbiter& arbiter);
+Decision decide(const World& world, std::span<const Message> messages, Behaviors& behaviors, Arbiter& arbiter);
 
 /// Appends the particles of the localization in use, or its pose if it has no particles.
 void append_poses(const ExternalUse& external, const ExternalBeliefReader& reader, const Localizer& localizer,

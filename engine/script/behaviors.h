@@ -23,8 +23,8 @@ class Behaviors {
 
   /// Each behavior reads this world, the other behaviors' states at the start of the frame, and the messages of
   /// teammates since the last frame.
-  void tick(const World& world, std::span<const Message> heard = {}) {
-    language_.actions().set_messages(heard);
+  void tick(const World& world, std::span<const Message> messages = {}) {
+    language_.actions().set_messages(messages);
     values_.clear();
     append_world(world, values_);
     said_ = &host_.tick(world.time, values_);
@@ -32,7 +32,7 @@ class Behaviors {
     host_.append_leases(leases_);
   }
 
-  /// Between two frames. The arbiter judges the commands of these behaviors and stores names of theirs.
+  /// Between two frames. The arbiter decides on the commands of these behaviors and stores their names.
   std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits, Arbiter& arbiter) {
     const std::shared_ptr<const NameTable> before = host_.names().table();
     std::vector<ReloadRecord> reloads = host_.apply(edits);

@@ -291,37 +291,37 @@ Script::Memory Script::memory(std::vector<std::string>& left_out) const {
   return all;
 }
 
-Script::Memory Script::gone() const {
+Script::Memory Script::removed() const {
   Memory all;
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     const auto known = known_.find(kept.name);
     if (known == known_.end()) continue;
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
-    all[kept.name] = gone_from(L, -1, known->second);
+    all[kept.name] = removed_from(L, -1, known->second);
     lua_pop(L, 1);
   }
   return all;
 }
 
 void Script::take_over(const Script& before, std::vector<std::string>& left_out) {
-  write(before.memory(left_out), before.gone(), KeptFor::another_version);
+  write(before.memory(left_out), before.removed(), KeptFor::another_version);
 }
 
 void Script::restore(const Memory& memory) {
-  Memory gone;
-  for (const auto& [name, values] : memory) gone[name] = gone_from(values, known_[name]);
-  write(memory, gone, KeptFor::same_version);
+  Memory removed;
+  for (const auto& [name, values] : memory) removed[name] = removed_from(values, known_[name]);
+  write(memory, removed, KeptFor::same_version);
 }
 
-void Script::write(const Memory& memory, const Memory& gone, KeptFor whom) {
+void Script::write(const Memory& memory, const Memory& removed, KeptFor version) {
   lua_State* const L = sandbox_.state();
   for (const KeptMemory& kept : declarations_->memories) {
     const auto found = memory.find(kept.name);
     if (found == memory.end()) continue;
-    const auto removed = gone.find(kept.name);
+    const auto removed_keys = removed.find(kept.name);
     lua_rawgeti(L, LUA_REGISTRYINDEX, kept.table);
-    write_kept(L, -1, found->second, removed == gone.end() ? KeptTable() : removed->second, whom);
+    write_kept(L, -1, found->second, removed_keys == removed.end() ? KeptTable() : removed_keys->second, version);
     lua_pop(L, 1);
     add_kept(known_[kept.name], found->second);
   }

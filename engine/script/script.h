@@ -76,8 +76,8 @@ class Script : public MachineCallbacks {
   const SourceLocations& places_of(const std::string& file);
   void add_globals(const MachineDirectory& directory);
   void push_function(int function);
-  Memory gone() const;
-  void write(const Memory& memory, const Memory& gone, KeptFor whom);
+  Memory removed() const;
+  void write(const Memory& memory, const Memory& removed, KeptFor version);
 
   const ScriptTexts* texts_;  ///< while it is loaded
   ScriptTexts sources_;

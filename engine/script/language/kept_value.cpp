@@ -149,9 +149,9 @@ unsigned list_types(const KeptTable& kept) {
 }
 
 /// Whether the stored list replaces the list at `table`: not if the script now has elements of other types there.
-bool takes_list(lua_State* L, int table, const KeptTable& kept, const KeptTable& gone, KeptFor whom) {
-  if (!has_list(kept) && !has_list(gone)) return false;
-  if (whom == KeptFor::same_version) return true;
+bool takes_list(lua_State* L, int table, const KeptTable& kept, const KeptTable& removed, KeptFor version) {
+  if (!has_list(kept) && !has_list(removed)) return false;
+  if (version == KeptFor::same_version) return true;
   const unsigned before = list_types(kept);
   const unsigned now = list_types(L, table);
   return before == 0 || now == 0 || (before & now) != 0;
@@ -166,8 +166,8 @@ void shorten_list(lua_State* L, int table, const KeptTable& kept) {
   }
 }
 
-void remove_gone(lua_State* L, int table, const KeptTable& gone) {
-  for (const auto& [key, value] : gone) {
+void remove_keys(lua_State* L, int table, const KeptTable& removed) {
+  for (const auto& [key, value] : removed) {
     if (!is_in_list(key) && !std::holds_alternative<KeptTable>(value.value)) remove_key(L, table, key);
   }
 }
@@ -178,30 +178,30 @@ KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std
   return Reader{L, bytes, left_out}.table(index, 0);
 }
 
-KeptTable gone_from(lua_State* L, int index, const KeptTable& known) {
+KeptTable removed_from(lua_State* L, int index, const KeptTable& known) {
   lua_checkstack(L, 4);
   const int table = lua_absindex(L, index);
-  KeptTable gone;
+  KeptTable removed;
   for (const auto& [key, value] : known) {
     push_key(L, key);
     const int present = lua_rawget(L, table);
     const auto* const inner = std::get_if<KeptTable>(&value.value);
-    if (present == LUA_TNIL) gone[key] = {true};
-    if (present == LUA_TTABLE && inner != nullptr) gone[key] = {gone_from(L, -1, *inner)};
+    if (present == LUA_TNIL) removed[key] = {true};
+    if (present == LUA_TTABLE && inner != nullptr) removed[key] = {removed_from(L, -1, *inner)};
     lua_pop(L, 1);
   }
-  return gone;
+  return removed;
 }
 
-KeptTable gone_from(const KeptTable& values, const KeptTable& known) {
-  KeptTable gone;
+KeptTable removed_from(const KeptTable& values, const KeptTable& known) {
+  KeptTable removed;
   for (const auto& [key, value] : known) {
     const auto present = values.find(key);
     const auto* const inner = std::get_if<KeptTable>(&value.value);
-    if (present == values.end()) gone[key] = {true};
-    if (present != values.end() && inner != nullptr) gone[key] = {gone_from(table_at(values, key), *inner)};
+    if (present == values.end()) removed[key] = {true};
+    if (present != values.end() && inner != nullptr) removed[key] = {removed_from(table_at(values, key), *inner)};
   }
-  return gone;
+  return removed;
 }
 
 void add_kept(KeptTable& known, const KeptTable& more) {
@@ -212,14 +212,14 @@ void add_kept(KeptTable& known, const KeptTable& more) {
   }
 }
 
-void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& gone, KeptFor whom) {
+void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& removed, KeptFor version) {
   lua_checkstack(L, 6);
   const int table = lua_absindex(L, index);
-  const bool with_list = takes_list(L, table, kept, gone, whom);
+  const bool with_list = takes_list(L, table, kept, removed, version);
   if (with_list) shorten_list(L, table, kept);
-  remove_gone(L, table, gone);
+  remove_keys(L, table, removed);
   for (const auto& [key, value] : kept) {
-    const bool is_taken = whom == KeptFor::same_version || (with_list && is_in_list(key));
+    const bool is_taken = version == KeptFor::same_version || (with_list && is_in_list(key));
     if (is_in_list(key) && !with_list) continue;
     push_key(L, key);
     lua_pushvalue(L, -1);
@@ -233,7 +233,7 @@ void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable&
         lua_pop(L, 1);
         lua_newtable(L);
       }
-      write_kept(L, -1, *inner, table_at(gone, key), whom);
+      write_kept(L, -1, *inner, table_at(removed, key), version);
     } else {
       lua_pop(L, 1);
       push_plain(L, value);

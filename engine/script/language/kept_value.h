@@ -37,18 +37,18 @@ KeptTable read_kept(lua_State* L, int index, std::size_t& bytes, std::vector<std
 
 /// The part of `known` that is no longer in the table at `index`. A missing key has a plain value; a table that still
 /// exists contains what is missing from it.
-KeptTable gone_from(lua_State* L, int index, const KeptTable& known);
+KeptTable removed_from(lua_State* L, int index, const KeptTable& known);
 /// The same for a table with these values.
-KeptTable gone_from(const KeptTable& values, const KeptTable& known);
+KeptTable removed_from(const KeptTable& values, const KeptTable& known);
 
 /// Adds the keys that are missing in `known`.
 void add_kept(KeptTable& known, const KeptTable& more);
 
 enum class KeptFor { another_version, same_version };
 
-/// Overwrites the table at `index` with kept values, and removes what is gone. If another version has a value of
+/// Overwrites the table at `index` with kept values, and deletes the `removed` keys. If another version has a value of
 /// another type, that value stays, because the script now stores something else there. A table with whole numbers as
 /// keys is a list: either the kept one or the table's own, never a mixture.
-void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& gone, KeptFor whom);
+void write_kept(lua_State* L, int index, const KeptTable& kept, const KeptTable& removed, KeptFor version);
 
 }  // namespace reorient

@@ -169,9 +169,9 @@ void Machine::append_leases(std::vector<Lease>& all) const {
 }
 
 void Machine::append_conditions(MachineCallbacks& script, double time, std::vector<OpenCondition>& all) {
-  const auto seconds = [&](int state, const Dwell& dwell, double heard) {
+  const auto seconds = [&](int state, const Dwell& dwell, double last) {
     if (dwell.kind == Dwell::Kind::none) return 0.0;
-    return dwell.kind == Dwell::Kind::function ? heard : script.seconds(*this, state, dwell);
+    return dwell.kind == Dwell::Kind::function ? last : script.seconds(*this, state, dwell);
   };
   for (const int state : active_) {
     for (const int index : definition_->states[state].transitions) {
