@@ -74,7 +74,7 @@ behavior "penalty_marks" {
   state "looking round" {
     update = function() walking.turn(p.turn_speed) end,
     { "walking", when = is_found, because = "the pose is known, or another behavior searches for it" },
-    { "walking", after = "longest_look", because = "nothing was found" },
+    { "walking", after = "longest_look", because = "the pose was not found in time" },
   },
 
   state "on the mark" {
