@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program as a process of its own, to be interrupted, starved and killed.
+// The program as a separate process, to be interrupted, slowed down and killed.
 #pragma once
 
 #include <csignal>
@@ -26,7 +26,7 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// For a program none of whose files may become larger, as where a disk is full.
+/// Limits the size of the program's files, as on a full disk.
 inline std::function<void()> files_up_to(rlim_t bytes) {
   return [bytes] {
     const rlimit most{bytes, bytes};
@@ -36,7 +36,7 @@ inline std::function<void()> files_up_to(rlim_t bytes) {
 
 class ChildProgram {
  public:
-  /// What it prints goes into the files out.txt and err.txt of `folder`. `prepare` runs in the child, just before.
+  /// Redirects its output to the files out.txt and err.txt of `folder`. `prepare` runs in the child, just before.
   ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& words,
                const std::function<void()>& prepare = {})
       : folder_(folder) {
@@ -48,7 +48,8 @@ class ChildProgram {
     for (std::string& word : all) argv.push_back(word.data());
     argv.push_back(nullptr);
     const std::string out = (folder / "out.txt").string(), err = (folder / "err.txt").string();
-    for (const std::string& old : {out, err}) std::filesystem::remove(old);  // or it would be read as this one's
+    for (const std::string& old : {out, err})
+      std::filesystem::remove(old);  // otherwise they would be read as output of this program
     process_ = fork();
     if (process_ != 0) return;
     setenv("REORIENT_HOME", kSourceFolder, 1);
@@ -70,7 +71,7 @@ class ChildProgram {
   ChildProgram& operator=(const ChildProgram&) = delete;
 
   void kill(int signal) const {
-    if (process_ > 0) ::kill(process_, signal);  // to signal -1 would be to signal everybody
+    if (process_ > 0) ::kill(process_, signal);  // signal -1 would reach all processes
   }
   /// Stops the program. Signals that are sent after that reach it together, when it continues.
   void stop() const {
@@ -87,12 +88,12 @@ class ChildProgram {
   std::string out() const { return read_text(folder_ / "out.txt"); }
   std::string err() const { return read_text(folder_ / "err.txt"); }
 
-  /// Waits until the program has printed `text` to its output or its errors. False: it ended without, or kWaitLimit
-  /// passed.
+  /// Waits until the program has printed `text` to its output or its errors. False: it ended without the text, or
+  /// kWaitLimit passed.
   bool await(const std::string& text) const {
     bool is_printed = false;
     reorient::await([&] {
-      const bool has_ended = this->has_ended();  // first, as it may print the text and end in between
+      const bool has_ended = this->has_ended();  // check first, because it may print the text and end in between
       is_printed = err().find(text) != std::string::npos || out().find(text) != std::string::npos;
       return is_printed || has_ended;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reorient check, graph, new, params and test, as a person calls them.
+// reorient check, graph, new, params and test, as a user calls them.
 #include <algorithm>
 #include <fstream>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment compare`: tables as the program writes them, and tables that it never would.
+// `reorient experiment compare`: valid and invalid tables.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -55,7 +55,7 @@ TEST_F(CompassExperiment, PrintsARowForEachMethod) {
     EXPECT_EQ(rows[i]["flipped_3s"].is_null(), !kHasFlipRule[i]);
     EXPECT_EQ(rows[i]["false_flipped_3s"].is_null(), !kHasFlipRule[i]);
   }
-  EXPECT_EQ(rows[0]["auc_3s"], 1.0) << "the light has not changed: room awareness knows";
+  EXPECT_EQ(rows[0]["auc_3s"], 1.0) << "the light has not changed, so room awareness is right";
   const std::string page = read_text(path("report/index.html"));
   EXPECT_EQ(mistake_in_markup(page), "");
   EXPECT_NE(page.find("id=\"compasses\""), std::string::npos);
@@ -63,7 +63,7 @@ TEST_F(CompassExperiment, PrintsARowForEachMethod) {
   const auto trials = nlohmann::json::parse(read_text(path("report/trials.json")));
   ASSERT_EQ(trials[0]["looks"].size(), 1U);
   EXPECT_EQ(trials[0]["looks"][0]["room awareness"]["if_right"].size(), kLookTimes.size());
-  // What is read back is what was measured, and what was measured is the same in one process.
+  // The stored results are those that were measured, and one process measures the same.
   EXPECT_EQ(run({"--out", path("out"), "--json", path("again.json"), "--resume"}).code, kSuccess);
   EXPECT_EQ(read_text(path("again.json")), read_text(path("rows.json")));
   EXPECT_EQ(table("alone"), read_text(path("rows.json")));
@@ -80,7 +80,7 @@ TEST_F(CompassExperiment, LearnsTheMirroredPoseForTheGivenTime) {
             kSuccess);
   const auto rows = nlohmann::json::parse(read_text(path("rows.json")));
   EXPECT_EQ(rows[0]["auc_3s"], 0.0) << "to a map that was learned mirrored, the mirrored pose is the right one";
-  // The last one says little of so few looks; but what it says of one of the poses, it now says of the other one.
+  // The last method has little evidence after so few looks, but the evidence has changed its sign.
   EXPECT_EQ(run({"--out", path("plain"), "--json", path("plain.json")}).code, kSuccess);
   const auto plain = nlohmann::json::parse(read_text(path("plain.json")));
   ASSERT_NE(plain.back()["auc_3s"], 0.5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the prompt is made of: keys, names, and the lines of earlier runs.
+// Parts of the prompt: keys, names, and the lines of earlier runs.
 #include <string>
 #include <vector>
 
@@ -66,7 +66,7 @@ TEST(NamePattern, AStarMatchesAnyLetters) {
   EXPECT_FALSE(matches("pose", "pose.x"));
   std::string hard;
   for (int i = 0; i < 400; ++i) hard += "*a";
-  EXPECT_FALSE(matches(hard + "b", std::string(1000, 'a'))) << "and it takes no time";
+  EXPECT_FALSE(matches(hard + "b", std::string(1000, 'a'))) << "without exponential time";
 }
 
 TEST(NamePattern, PrefersTheExactName) {

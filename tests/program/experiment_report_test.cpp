@@ -17,7 +17,7 @@
 namespace reorient {
 namespace {
 
-/// The short experiment with names that mean something to a browser or a shell.
+/// The short experiment with names that contain special characters of browsers and shells.
 std::string hostile_experiment() {
   std::string text = kShort;
   for (const auto& [plain, hostile] :

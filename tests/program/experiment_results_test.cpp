@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results that lie on a disk: spoiled ones, those of something else, and what happens to them while others run.
+// Results on a disk: damaged ones, results of other experiments, and concurrent runs.
 #include <cstdint>
 #include <fstream>
 #include <optional>
@@ -38,7 +38,7 @@ TrialResult some_result() {
   return result;
 }
 
-/// Another value than the one that everything begins with.
+/// A value that differs from the default.
 struct Unusual {
   void operator()(const char*, bool& value) const { value = !value; }
   void operator()(const char*, int& value) const { value = 7; }
@@ -119,20 +119,20 @@ TEST(TaskResultsTest, WithAFlippedBitOrWithoutTheEndAreRefused) {
   results.write(1, kOrigin, some_result());
   ASSERT_EQ(results.read(1, kOrigin)->seconds, 61.25);
   const std::string whole = read_text(results.file_of(1));
-  const auto expect_refused = [&](const std::string& spoiled, std::size_t where) {
-    std::ofstream(results.file_of(1), std::ios::binary) << spoiled;
+  const auto expect_refused = [&](const std::string& damaged, std::size_t where) {
+    std::ofstream(results.file_of(1), std::ios::binary) << damaged;
     try {
       results.read(1, kOrigin);
-      ADD_FAILURE() << "accepted at byte " << where << ": " << spoiled;
+      ADD_FAILURE() << "accepted at byte " << where << ": " << damaged;
     } catch (const std::runtime_error& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with(results.file_of(1).string() + ": ")) << error.what();
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
   };
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    std::string spoiled = whole;
-    spoiled[i] = static_cast<char>(spoiled[i] ^ (1 << i % 8));
-    expect_refused(spoiled, i);
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    expect_refused(damaged, i);
     if (i + 1 < whole.size()) expect_refused(whole.substr(0, i), i);
   }
 }
@@ -221,7 +221,7 @@ TEST_F(ResultsTest, AreSharedByTwoRunsAtOnce) {
     EXPECT_FALSE(entry.path().string().ends_with(".partial")) << entry.path();
 }
 
-/// A process that another one has started; 0: it has none.
+/// A child of the process; 0: it has none.
 pid_t child_of(pid_t process) {
   const std::string id = std::to_string(process);
   const std::string children = read_text("/proc/" + id + "/task/" + id + "/children");
@@ -254,7 +254,7 @@ TEST_F(ResultsTest, OfOtherTrialsAreWrittenIfATrialCrashes) {
   if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "no /proc here";
   const std::string all = table("whole");
   std::optional<ChildProgram> program;
-  const auto crashes_in_time = [&] {  // on a starved machine the first trial may be faster than the test: then again
+  const auto crashes_in_time = [&] {  // on a slow machine the first trial may end before the signal: then repeat
     program.reset();
     std::filesystem::remove_all(path("out"));
     program.emplace(folder.path(), words({"--out", path("out")}));

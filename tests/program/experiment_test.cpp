@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment`, as a person, a shell and a cluster call it.
+// `reorient experiment`, as a user, a shell and a cluster call it.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -168,7 +168,7 @@ TEST_F(ExperimentTest, StopsAtAMistakeThatAppearsInATrial) {
   const std::string room = folder.write("room.png", "no picture").string();
   folder.write("short.toml", std::string(kShort) + "room = \"" + room + "\"\n");
   expect_refused({"--out", path("out")}, "task 3, mode none, trial 1 (seed 1): ");
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000002.json")) << "what is done is kept";
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/tasks/000002.json")) << "finished trials are stored";
 }
 
 TEST_F(ExperimentTest, ReportsAFullDisk) {
@@ -178,7 +178,7 @@ TEST_F(ExperimentTest, ReportsAFullDisk) {
   EXPECT_NE(done.err.find("/dev/full"), std::string::npos) << done.err;
 }
 
-/// REORIENT_INTERRUPTIONS=100 for as many.
+/// REORIENT_INTERRUPTIONS=100 sets the number of interruptions.
 TEST_F(ExperimentTest, ResumesAfterItWasKilled) {
   const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
   const int count = wanted == nullptr ? 3 : std::atoi(wanted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment field_features` as its user meets it.
+// `reorient experiment field_features`, called as by a user.
 #include <fstream>
 #include <string>
 

@@ -14,7 +14,7 @@
 namespace reorient {
 namespace {
 
-/// The program as a process of its own, since its log is not part of what run_reorient() returns.
+/// The program as a separate process, since its log is not part of what run_reorient() returns.
 ProgramRun run_child(const std::filesystem::path& folder, const std::vector<std::string>& words) {
   ChildProgram program(folder, words);
   const int code = program.wait();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The guides are run as they stand: their files are written, their edits made, their commands called, and what they
-// show is what must come.
+// Runs the guides: writes their files, applies their edits, calls their commands, and compares the output with the
+// shown output.
 #include <algorithm>
 #include <fstream>
 #include <ostream>
@@ -19,10 +19,10 @@
 namespace reorient {
 namespace {
 
-/// What stands between two fences.
+/// A fenced code block.
 struct Block {
   std::string kind;  ///< "lua", "console", ...
-  std::string file;  ///< that it is about, may be empty
+  std::string file;  ///< the file that it writes or edits; may be empty
   int line = 0;
   std::vector<std::string> lines;
 };
@@ -56,7 +56,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// "..." stands for any beginning of a line where it begins one, for any ending where it ends one.
+/// "..." at the start or end of a line matches any text.
 bool fits(std::string_view shown, std::string_view seen) {
   constexpr std::string_view kAny = "...";
   if (shown.starts_with(kAny)) return seen.ends_with(shown.substr(kAny.size()));
@@ -64,7 +64,7 @@ bool fits(std::string_view shown, std::string_view seen) {
   return shown == seen;
 }
 
-/// "..." alone stands for any lines.
+/// A line "..." matches any lines.
 bool matches(const std::vector<std::string>& shown, std::size_t i, const std::vector<std::string>& seen,
              std::size_t j) {
   if (i == shown.size()) return j == seen.size();
@@ -75,7 +75,7 @@ bool matches(const std::vector<std::string>& shown, std::size_t i, const std::ve
 
 struct Page {
   const char* file;
-  int least_commands;  ///< that it calls, or lines of a dialogue
+  int least_commands;  ///< commands that it calls, or lines of a dialogue
 };
 std::ostream& operator<<(std::ostream& out, const Page& page) { return out << page.file; }
 
@@ -121,7 +121,7 @@ class Guide : public ::testing::TestWithParam<Page> {
         << run.out() << run.err();
   }
 
-  /// A run with its prompt, which is given the lines behind "> " and must answer the others.
+  /// A run with its prompt, which gets the lines after "> " and must answer with the others.
   void talk(const Block& block) const {
     const std::string prompt = "$ ./reorient ";
     ASSERT_TRUE(block.lines.at(0).starts_with(prompt)) << "line " << block.line;

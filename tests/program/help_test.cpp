@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pages of --help, found from the program itself.
+// The pages of --help; the list of commands comes from the program itself.
 #include <algorithm>
 #include <regex>
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What remains of an interrupted run.
+// The outputs of an interrupted run.
 #include <array>
 #include <csignal>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 using InterruptedRun = RunWithAllOutputs;
 
-/// Notices when a program opens a file.
+/// Detects when a program opens a file.
 class OpenedFile {
  public:
   explicit OpenedFile(const std::filesystem::path& file) : watch_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
@@ -43,7 +43,7 @@ TEST_P(InterruptedBy, WritesAllOutputsOfTheUnfinishedRun) {
     ChildProgram run(folder.path(),
                      words(realtime ? std::vector<std::string>{"--realtime"} : std::vector<std::string>{}));
     ASSERT_TRUE(run.await("patrol: "));
-    ASSERT_TRUE(run.await("> waiting (start)\n")) << "the timeline is there while the run goes on";
+    ASSERT_TRUE(run.await("> waiting (start)\n")) << "the timeline is printed during the run";
     run.kill(GetParam());
     EXPECT_EQ(run.wait(), 128 + GetParam());
     EXPECT_NE(run.out().find("wrong: interrupted\n"), std::string::npos) << run.out();
@@ -72,7 +72,7 @@ test("c", function() end))");
                                      (folder.path() / "junit.xml").string()});
   ASSERT_TRUE(tests.await("a_test.lua: a\n"));
   ASSERT_TRUE(b_runs.await()) << "the second test prints nothing, but opens a file";
-  let_time_pass(0.1);  // so that the signal usually meets its loop; it may meet what is before
+  let_time_pass(0.1);  // so that the signal usually arrives in its loop
   tests.kill(GetParam());
   EXPECT_EQ(tests.wait(), 128 + GetParam());
   EXPECT_NE(tests.out().find("1 passed, 1 failed, interrupted before the remaining tests\n"), std::string::npos)
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, InterruptedBy, ::testing::Values(SIGINT, SIGTE
 TEST_F(InterruptedRun, EndsAtOnceAfterTheSecondSignal) {
   ChildProgram run(folder.path(), words());
   ASSERT_TRUE(run.await("patrol: "));
-  run.stop();  // so that both have come before it can do anything
+  run.stop();  // so that both arrive before it continues
   run.kill(SIGINT);
   run.kill(SIGTERM);
   run.kill(SIGCONT);

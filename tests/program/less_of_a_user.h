@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a child program may be denied before it begins: to write everywhere, a disk with room on it.
+// Restricts a child program before it starts: fewer permissions, a small disk.
 #pragma once
 
 #include <cstdlib>
@@ -18,19 +18,19 @@
 
 namespace reorient {
 
-inline constexpr int kCannot = 77;  // what a child ends with where it may not do what the test needs
+inline constexpr int kCannot = 77;  // exit code of a child that may not do what the test needs
 
 /// Runs in the child: drops the permissions of root, if possible.
 inline void become_an_ordinary_user() {
   constexpr uid_t kPlainUser = 65534;
   if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kPlainUser) != 0 || setuid(kPlainUser) != 0))
     _exit(kCannot);
-  prctl(PR_SET_DUMPABLE, 1);  // or its files in /proc stay root's
+  prctl(PR_SET_DUMPABLE, 1);  // otherwise its files in /proc stay owned by root
   if (access(kProgram, X_OK) != 0 || access((std::string(kSourceFolder) + "/scripts").c_str(), R_OK) != 0)
     _exit(kCannot);
 }
 
-/// Writes into a file of /proc; a child that may not ends.
+/// Writes to a file of /proc; ends the child if that is not permitted.
 inline void tell_the_kernel(const char* file, const std::string& text) {
   const int descriptor = open(file, O_WRONLY);
   if (descriptor < 0 || write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))

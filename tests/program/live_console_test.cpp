@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person types while the robot runs.
+// The prompt during a run.
 #include "program/run/console/live_console.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ class LiveConsoleTest : public ::testing::Test {
   void type(const std::string& text) const {
     ASSERT_EQ(write(ends_[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
   }
-  /// What the console says in one frame.
+  /// The output of the console in one frame.
   std::string poll() {
     out_.str("");
     console->add_to(loop.inputs);
@@ -75,7 +75,7 @@ class LiveConsoleTest : public ::testing::Test {
     type(line + "\n");
     return poll();
   }
-  /// What it says in this many frames.
+  /// The output in this many frames.
   std::string polls(int frames) {
     std::string said;
     for (int i = 0; i < frames; ++i) said += poll();
@@ -85,7 +85,7 @@ class LiveConsoleTest : public ::testing::Test {
     for (const Parameter& one : loop.engine->parameters()) {
       if (one.name == name) return one;
     }
-    ADD_FAILURE() << "there is no parameter " << name;
+    ADD_FAILURE() << "unknown parameter " << name;
     return {};
   }
   double level() { return std::get<double>(parameter("tested.level").value); }
@@ -165,7 +165,7 @@ TEST_F(LiveConsoleTest, OpensAPromptOnAnEmptyLineAndClosesItOnTheNext) {
   EXPECT_EQ(poll(), "> ");
   EXPECT_TRUE(console->is_open());
   type("set tested.level 1\n");
-  EXPECT_EQ(poll(), "set tested.level 1\n  tested.level = 1\n> ") << "a pipe shows no typing by itself";
+  EXPECT_EQ(poll(), "set tested.level 1\n  tested.level = 1\n> ") << "a pipe does not echo the input";
   type("\n");
   EXPECT_EQ(poll(), "\n");
   EXPECT_FALSE(console->is_open());
@@ -241,7 +241,7 @@ TEST_F(LiveConsoleTest, ListsParametersThatDifferFromTheDefaults) {
   EXPECT_EQ(answer("diff"), "  scene.pace = 2  (default 1; live)\n");
   const std::filesystem::path file = folder.path() / "tuned.toml";
   answer("save " + file.string());
-  EXPECT_EQ(read_parameters(file).size(), 1u) << "what has its default again is not saved either";
+  EXPECT_EQ(read_parameters(file).size(), 1u) << "a parameter that has its default again is not saved";
 }
 
 // ---- the world

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient run --model` and `reorient model`: a room that is known from one run to the next.
+// `reorient run --model` and `reorient model`: the model of a room that is loaded and saved by runs.
 #include <algorithm>
 #include <csignal>
 #include <string>
@@ -33,7 +33,7 @@ class RunWithAModel : public ::testing::Test {
   std::string file_of(const test::ModelBytes& bytes) const {
     return folder.write("hall.model", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}).string();
   }
-  /// The run does not begin; one line says why; the file is as it was.
+  /// The run does not start, prints one line with the reason, and the file is unchanged.
   static void expect_refused(const std::string& file, const std::vector<std::string>& more,
                              const std::string& complaint) {
     const std::string before = read_text(file);
@@ -55,7 +55,7 @@ class RunWithAModel : public ::testing::Test {
 TEST_F(RunWithAModel, CreatesTheFileAndContinuesItInTheNextRun) {
   const std::string without = digest_of(run_shortly({}));
   const ProgramRun first = run_shortly({"--model", file});
-  EXPECT_EQ(digest_of(first), without) << "to save changes no frame";
+  EXPECT_EQ(digest_of(first), without) << "saving changes no frame";
   EXPECT_NE(first.out.find("model: " + file + " (saved)\n"), std::string::npos) << first.out;
   const SavedModel learned = read_model_file(file);
   EXPECT_GT(learned.learned, 1.0);
@@ -65,8 +65,8 @@ TEST_F(RunWithAModel, CreatesTheFileAndContinuesItInTheNextRun) {
   std::filesystem::copy_file(file, copy);
   const ProgramRun second = run_shortly({"--model", file});
   EXPECT_NE(digest_of(second), without);
-  EXPECT_EQ(digest_of(run_shortly({"--model", copy})), digest_of(second)) << "one file, one digest";
-  EXPECT_EQ(read_text(copy), read_text(file)) << "and one file again";
+  EXPECT_EQ(digest_of(run_shortly({"--model", copy})), digest_of(second)) << "the same file gives the same digest";
+  EXPECT_EQ(read_text(copy), read_text(file)) << "and the same file";
   EXPECT_GT(read_model_file(file).learned, learned.learned + 1.0);
   EXPECT_GE(read_model_file(file).model.known_tiles(), learned.model.known_tiles());
 }
@@ -171,7 +171,7 @@ TEST_F(RunWithAModel, SavesItWhenInterrupted) {
   EXPECT_GT(read_model_file(file).learned, 5.0);
 }
 
-/// What a keeper sees of a run, one frame at a time.
+/// The frames of a run for the keeper, one at a time.
 class ModelKeeperTest : public RunWithAModel {
  protected:
   static FrameRecord frame_of(const SavedModel& model, double time) {

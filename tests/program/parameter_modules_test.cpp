@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values for modules that are not there.
+// Values for modules that are not loaded.
 #include "program/parameter_modules.h"
 
 #include <sstream>

@@ -43,7 +43,7 @@ TEST(Program, ColorsItsLogOnRequest) {
     EXPECT_NE(program.err().find("'stranger'"), std::string::npos);
     return program.err().find('\033') != std::string::npos;
   };
-  EXPECT_FALSE(colored({})) << "there is no terminal";
+  EXPECT_FALSE(colored({})) << "the output is not a terminal";
   EXPECT_TRUE(colored({"--color", "always"}));
   EXPECT_FALSE(colored({"--color", "never"}));
 }
@@ -91,7 +91,7 @@ TEST(Program, LeavesTheVerdictToTheScenario) {
     elseif clock.time > 1.0 then operator.put_down(-3, 2, 1) end end } })");
   const ProgramRun run =
       run_reorient({"run", "easy", "--scripts", scripts.string(), "--width", "160", "--no-pictures", "--log", "off"});
-  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // although it was placed elsewhere in the last moment
+  EXPECT_EQ(run.code, kSuccess) << run.out << run.err;  // although it was placed elsewhere at the end
   EXPECT_NE(run.out.find("right: that is all\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("belief wrong at the end"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("belief wrong at 0"), std::string::npos) << run.out;
@@ -174,7 +174,7 @@ TEST(Program, WritesTheSummaryForPrograms) {
   EXPECT_NEAR(json["seconds"].get<double>(), 3.0, 0.05);
   EXPECT_LT(json["position_error_meters"].get<double>(), 1.0);
   EXPECT_EQ("digest: " + json["digest"].get<std::string>(), digest_of(run));
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "nothing is left beside it";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "no temporary file is left";
 }
 
 TEST(Program, WritesFourPictures) {

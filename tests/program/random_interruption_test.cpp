@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run that is interrupted at any moment from the one in which it began: each output is there, and readable. What is
-// killed leaves the old file or the new one. A few here; REORIENT_INTERRUPTIONS=50 for as many of each kind.
+// Runs that are interrupted at random times after their start: each output exists and is readable. A killed run leaves
+// the old file or the new one. REORIENT_INTERRUPTIONS=50 sets the number of each kind; the default is small.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -22,8 +22,8 @@ int count_of_each() {
   return wanted == nullptr ? 2 : std::atoi(wanted);
 }
 
-/// Whether the program would notice the signal. An emulator catches all from its own start on, whatever runs on it:
-/// there the program's first words say that it is under way.
+/// Whether the program handles the signal already. An emulator catches all signals from its own start: there the first
+/// output of the program shows that it runs.
 bool has_handler(const ChildProgram& program, int signal) {
 #ifdef REORIENT_EMULATOR
   static_cast<void>(signal);
@@ -44,7 +44,7 @@ class AtRandomMoments : public RunWithAllOutputs, public ::testing::WithParamInt
   /// only has to go away ends it as it ends any program.
   void interrupt(const std::vector<std::string>& all, double seconds, int own_code) {
     ChildProgram program(folder.path(), all);
-    // On a starved machine this loop may see nothing but the end of the program.
+    // On a slow machine this loop may only see the end of the program.
     ASSERT_TRUE(await([&] { return has_handler(program, GetParam()) || program.has_ended(); }, kOften));
     const double moment = random_.uniform(0.0, seconds);
     SCOPED_TRACE("after " + std::to_string(moment) + " s");

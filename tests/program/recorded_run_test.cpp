@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `run --record`, `replay` and `recording` as their user meets them. REORIENT_INTERRUPTIONS=200 kills as many runs.
+// `run --record`, `replay` and `recording`, called as by a user. REORIENT_INTERRUPTIONS=200 kills 200 runs.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -123,7 +123,7 @@ TEST_F(RunThatIsRecorded, IsExportedAsTablesAndPicturesOfAnyTime) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "pictures" / name)) << name;
 }
 
-/// What a recording holds so far, perhaps while a program still writes it.
+/// The frames of a recording so far, also while a program still writes it.
 struct Recorded {
   int frames = 0;
   double until = -1.0;  ///< s of the robot, of the last frame; -1: no frame yet
@@ -176,7 +176,7 @@ TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondIfItIsKilled) {
     run.wait();
     const Recorded recorded = recorded_in(file("run.mcap"));
     const int frames = recorded.frames;
-    EXPECT_GE(recorded.until, least) << "what was in the file stays";
+    EXPECT_GE(recorded.until, least) << "written frames are not lost";
     most_lost = std::max(most_lost, last_reported(run.out()) - recorded.until);
     const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
     EXPECT_EQ(replayed.code, 1) << replayed.out << replayed.err;
@@ -193,7 +193,7 @@ TEST_F(RunThatIsRecorded, LosesAtMostTheLastSecondIfItIsKilled) {
   if (wanted != nullptr) std::cout << "at most " << most_lost << " s of the timeline are missing in a recording\n";
 }
 
-/// What sync_shim.cpp has noted so far.
+/// The report of sync_shim.cpp so far.
 struct Flushes {
   long times = 0;
   double longest = -1.0;  ///< s
@@ -208,7 +208,7 @@ Flushes flushes_in(const std::string& report) {
 
 TEST_F(RunThatIsRecorded, IsFlushedToTheDiskWithinHalfASecond) {
 #if defined(REORIENT_EMULATOR) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "nothing can be put before the C library here";
+  GTEST_SKIP() << "LD_PRELOAD does not work here";
 #endif
   const std::string report = file("report.txt");
   ChildProgram run(folder_.path(),
@@ -240,13 +240,13 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWithoutDamageIfTheDiskIsFullAndContinu
   EXPECT_NE(run.out().find("10.0 s in 301 frames"), std::string::npos) << run.out();
   const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
   EXPECT_EQ(replayed.code, 0) << replayed.out;
-  EXPECT_EQ(replayed.err, "") << "it is whole";
+  EXPECT_EQ(replayed.err, "") << "the recording is complete";
 }
 
-/// In real time a chunk is small, and what the last one left may be too little for the summary.
+/// In real time a chunk is small, and the space after the last chunk may be too small for the summary.
 TEST_F(RunThatIsRecorded, EndsItsRecordingWithoutDamageIfTheDiskIsFullWithinAChunk) {
   constexpr rlim_t kLeast = 650'000, kMost = 950'000, kStep = 25'000;  // the first chunk fits
-  constexpr rlim_t kAtOnce = 4;  // more of them would keep two processors from real time
+  constexpr rlim_t kAtOnce = 4;  // more would slow down two processors below real time
   for (rlim_t first = kLeast; first < kMost; first += kAtOnce * kStep) {
     std::vector<std::unique_ptr<ChildProgram>> runs;
     std::vector<std::string> files;
@@ -268,8 +268,8 @@ TEST_F(RunThatIsRecorded, EndsItsRecordingWithoutDamageIfTheDiskIsFullWithinAChu
   }
 }
 
-/// Before the first part has its end, between two parts, in the second: all that is there can be replayed, and what it
-/// tells is what is there.
+/// The limit is reached before the end of the first part, between two parts, or in the second part: all frames in the
+/// files can be replayed, and the printed counts match them.
 TEST_F(RunThatIsRecorded, EndsEveryPartWithoutDamageIfTheDiskIsFull) {
   for (int size = 1180; size < 1300; size += 12) {
     const std::filesystem::path disk = folder_.path() / ("disk" + std::to_string(size)), kept = disk.string() + "-kept";
@@ -418,7 +418,7 @@ TEST_F(RunThatIsRecorded, RefusesTimesOutsideOfTheRecording) {
   }
   EXPECT_FALSE(std::filesystem::exists(file("part.mcap")));
   EXPECT_EQ(run_reorient({"replay", file("run.mcap"), "--from", "1", "--to", "9"}).code, 0) << "up to its end";
-  EXPECT_EQ(run_reorient({"replay", file("late.mcap"), "--to", "2"}).code, 0) << "as info has told it";
+  EXPECT_EQ(run_reorient({"replay", file("late.mcap"), "--to", "2"}).code, 0) << "the time that info prints";
 }
 
 TEST_F(RunThatIsRecorded, RefusesInvalidOptionsWithOneLine) {

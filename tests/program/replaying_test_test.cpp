@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripted tests that replay a recording, and how they are made of one.
+// Scripted tests that replay a recording, and their creation from a recording.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -104,7 +104,7 @@ TEST_F(ReplayingTest, ReportsMistakesInATestAndContinues) {
     EXPECT_EQ(run.code, 1) << text << run.err;
     EXPECT_NE(run.out.find(why), std::string::npos) << text << "\n" << run.out;
   }
-  // An unloaded mistake of a script is a test's failure, not the end of all tests.
+  // An error in a script fails one test and does not end all tests.
   edit("behaviors/orientation.lua", "behavior \"orientation\"", "behavior \"orientation\" !");
   EXPECT_EQ(run_test(flip + "advance(0)").code, 1);
 }
@@ -124,7 +124,7 @@ TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_NE(made.out.find("made_here_test.lua"), std::string::npos) << made.out;
   Recording part(scripts() / "tests/recordings/made_here.mcap");
-  EXPECT_TRUE(part.view_topics().empty()) << "nothing but what decides";
+  EXPECT_TRUE(part.view_topics().empty()) << "only topics that affect decisions";
   const ProgramRun run = run_reorient({"test", "--scripts", scripts().string()});
   EXPECT_EQ(run.code, 0) << run.out;
   EXPECT_NE(run.out.find("made_here continues as recorded"), std::string::npos) << run.out;
@@ -147,14 +147,13 @@ TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
 
 // ---- files of released formats
 
-/// One file of each format that a release has written. They stay as they are: a format that changes gets another number
-/// and another file.
+/// One file of each released format. The files never change: a changed format gets another number and another file.
 TEST(GoldenRecording, OfThisFormatIsMadeAgainFrameByFrame) {
   const std::filesystem::path file =
       kProjectFolder / "tests/workbench/recording/golden" / ("format_" + std::to_string(kRecordingFormat) + ".mcap");
   ASSERT_TRUE(std::filesystem::exists(file)) << "a format without a file";
   const ProgramRun run = run_reorient({"replay", file.string()});
-  // Another build may decide otherwise on the same frames, which is no matter of the format.
+  // Another build may decide differently on the same frames; that does not concern the format.
   EXPECT_LE(run.code, 1) << run.err << "\nif what the bytes mean has changed, kRecordingFormat has to change with it";
   EXPECT_NE(run.out.find("10 frames, up to 43.50 s"), std::string::npos) << run.out;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient room rate` as its user meets it.
+// `reorient room rate`, called as by a user.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -49,7 +49,7 @@ class RoomRate : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-/// Width and height of a PNG file, which stand behind its signature and the head of its first chunk.
+/// Width and height of a PNG file, which follow its signature and the head of its first chunk.
 std::pair<int, int> size_of_png(const std::string& file) {
   const std::string bytes = read_whole_file(file).value_or("");
   if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") return {0, 0};
@@ -129,7 +129,7 @@ TEST_F(RoomRate, RatesTheModelAtTheEndOfARecording) {
   EXPECT_EQ(other["room"], "recording " + recording + ", at its end");
   one.erase("room");
   other.erase("room");
-  EXPECT_EQ(one, other) << "both hold what the run knew at its end";
+  EXPECT_EQ(one, other) << "both contain the model at the end of the run";
 }
 
 TEST_F(RoomRate, RefusesATruncatedRecording) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that writes all that there is to be written, to be interrupted, starved and killed.
+// A run that writes all possible outputs, to be interrupted, slowed down and killed.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ inline constexpr const char* kPictures[] = {"world_view.png", "camera_view.png",
 
 class RunWithAllOutputs : public ::testing::Test {
  protected:
-  /// What stands behind the program's name, for a long run.
+  /// The arguments of a long run.
   std::vector<std::string> words(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> all{"run",           "patrol",
                                  "--width",       "160",
@@ -45,7 +45,7 @@ class RunWithAllOutputs : public ::testing::Test {
               0.4);
     for (const char* name : kPictures) EXPECT_TRUE(is_whole_picture(picture(name))) << name;
   }
-  /// What was begun beside a file and never given its name.
+  /// Number of temporary files that were not renamed.
   int left_overs() const {
     int count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shipped experiments in a few seconds each: every cell is what a scenario, its behaviors and the robot can carry
-// out, and comes to the moment from which it is measured.
+// The shipped experiments in a few seconds each: every cell can be run, and reaches the state from which it is
+// measured.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -23,7 +23,7 @@ Experiment shipped(const std::string& name) {
   });
 }
 
-/// All that takes long is over soon.
+/// Shortens all durations.
 Condition shortened(Condition condition) {
   condition.width = 160;
   condition.seconds = 20.0;
@@ -43,7 +43,7 @@ Condition shortened(Condition condition) {
   return condition;
 }
 
-/// What happens to the robot: the scenario `trial` does what it is told, the others what they are called.
+/// The event of a condition: the parameter trial.event for the scenario `trial`, otherwise the scenario's name.
 std::string event_of(const Condition& condition) {
   std::string event = condition.scenario;
   for (const ParameterChange& change : condition.parameters) {
@@ -69,7 +69,7 @@ TEST_P(ShippedExperiment, ReachesTheStateFromWhichItIsMeasured) {
     EXPECT_TRUE(result.started);
     EXPECT_GT(result.seconds, 0.5);
     const std::string event = event_of(condition);
-    // A penalized robot comes back beside the field, where it hardly ever was taken away.
+    // A penalized robot returns beside the field, which is rarely the place where it was removed.
     const bool is_carried =
         event == "mirrored_placement" || event == "kidnapped" || event == "penalized" || event == "elsewhere";
     EXPECT_EQ(result.kidnapped, is_carried) << event;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An experiment of seconds, for the command's tests.
+// An experiment that takes seconds, for the command's tests.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace reorient {
 /// Seconds instead of minutes, in small images. The scripts same_on_parallel and same_on_slurm run it, too.
 inline const std::string kShort = read_text(std::string(kSourceFolder) + "/tests/program/short_experiment.toml");
 
-/// Lines that are no progress, which a slow machine is told of after ten seconds.
+/// The lines without progress lines, which slow machines print after ten seconds.
 inline int complaints(const ProgramRun& run) {
   int count = 0;
   std::istringstream lines(run.err);
@@ -53,7 +53,7 @@ class ShortExperiment : public ::testing::Test {
     EXPECT_EQ(complaints(refused), 1) << refused.err;
   }
 
-  /// Of a task that was run.
+  /// The result file of a task.
   std::filesystem::path result(const std::string& out, int task) const {
     return folder.path() / out / "tasks" / ("00000" + std::to_string(task) + ".json");
   }

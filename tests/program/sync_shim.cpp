@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Put before the C library (LD_PRELOAD): notes in the file that REORIENT_SYNC_REPORT names how often a recording was
-// flushed to the disk, for how long at most, s, bytes of it had been written and not flushed, and how many are so now.
+// Loaded before the C library (LD_PRELOAD): writes into the file that REORIENT_SYNC_REPORT names how often a recording
+// was flushed to the disk, for how long at most, s, bytes of it had been written and not flushed, and how many are so
+// now.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +14,7 @@
 
 namespace {
 
-double oldest = 0.0;   // when the first byte was written that is not flushed
+double oldest = 0.0;   // time of the oldest byte that is not flushed
 double longest = 0.0;  // s
 long flushed = 0;      // times
 long behind = 0;       // bytes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program at a terminal of its own, as a person sits before it.
+// The program at its own pseudo-terminal.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ namespace reorient {
 
 class TerminalRun {
  public:
-  /// `command`: a program and its arguments. What it keeps for its user goes below `state`.
+  /// `command`: a program and its arguments. Its files for the user are written below `state`.
   TerminalRun(std::vector<std::string> command, const std::filesystem::path& state) {
     std::vector<char*> argv;
     argv.reserve(command.size() + 1);
@@ -42,7 +42,7 @@ class TerminalRun {
     _exit(127);
   }
   ~TerminalRun() {
-    if (process_ > 0) {  // to signal -1 would be to signal everybody
+    if (process_ > 0) {  // signal -1 would reach all processes
       ::kill(process_, SIGKILL);
       wait();
     }
@@ -51,7 +51,7 @@ class TerminalRun {
   TerminalRun(const TerminalRun&) = delete;
   TerminalRun& operator=(const TerminalRun&) = delete;
 
-  /// False: this machine has no terminals to give (a bare root without /dev/pts).
+  /// False: no pseudo-terminal is available (a root without /dev/pts).
   bool has_terminal() const { return process_ > 0; }
   void type(const std::string& keys) const { ASSERT_EQ(write(terminal_, keys.data(), keys.size()), std::ssize(keys)); }
   void kill(int signal) const {
@@ -96,7 +96,7 @@ class TerminalRun {
         kNoPause);
     return is_shown;
   }
-  /// What was shown before that.
+  /// The text that was shown before that.
   const std::string& passed() const { return passed_; }
   const std::string& shown() const { return shown_; }
 

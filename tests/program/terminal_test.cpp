@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prompt at a terminal: keys, completion, history, and the terminal that is left behind.
+// The prompt at a terminal: keys, completion, history, and the restored terminal.
 #include <csignal>
 #include <optional>
 #include <string>
@@ -29,7 +29,7 @@ class AtATerminal : public ::testing::Test {
     ASSERT_TRUE(run->await("> "));
     ASSERT_TRUE(run->await_as_found(false)) << "a line of the timeline has \"> \", too";
   }
-  /// Types, and sees what must come of it.
+  /// Types, and waits for the expected output.
   void expect(const std::string& keys, const std::string& shown) {
     run->type(keys);
     EXPECT_TRUE(run->await(shown)) << keys << " showed " << run->shown();
@@ -67,7 +67,7 @@ TEST_F(AtATerminal, EditsTheLine) {
   edit("params head_scan.speed\r", "head_scan.speed = 1");
   edit("linger\x12\r", "orientation.lingering = 0.3\r\n");  // the last line that holds "linger"
   edit("\x1B[5~für\x7F\x7F\x7Fundo\r",
-       "orientation.lingering = 0.4\r\n");  // a key that means nothing; letters, not bytes
+       "orientation.lingering = 0.4\r\n");  // a key without effect; letters, not bytes
   edit("\x1B\r", "real time");              // Escape waits for nothing
   EXPECT_TRUE(run->await_as_found(true));
 }
@@ -126,10 +126,10 @@ TEST_F(AtATerminal, RunsWithoutAHistoryIfItCannotBeUsed) {
   expect("states\r", "penalty_marks");
   expect("quit\r", "digest: ");
   run->wait();
-  EXPECT_EQ(run->shown().find("history"), std::string::npos) << "told once";
+  EXPECT_EQ(run->shown().find("history"), std::string::npos) << "reported once";
 }
 
-// ---- the terminal is left as it was found
+// ---- the terminal is restored
 
 TEST_F(AtATerminal, CtrlCEndsTheRunAndRestoresTheTerminal) {
   open();
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, EndedBy, ::testing::Values(SIGTERM, SIGQUIT, S
 
 TEST_F(AtATerminal, TheSecondSignalRestoresTheTerminal) {
   open();
-  run->stop();  // so that both have come before it can do anything
+  run->stop();  // so that both arrive before it continues
   run->kill(SIGINT);
   run->kill(SIGTERM);
   run->kill(SIGCONT);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulated robot whose camera looks elsewhere than it believes.
+// A simulated robot with an unknown offset of its camera.
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST_F(TiltedCamera, IsKnownTheNextDayToTheSameBody) {
   const ProgramRun shown = run_reorient({"model", model});
   EXPECT_NE(shown.out.find("straight ahead it looks +"), std::string::npos) << shown.out;
 
-  // For a moment, in which nothing can be learned.
+  // For a short time, in which nothing can be learned.
   walk(kThreeDegrees, {"--model", model, "--seconds", "0.1"});
   EXPECT_NEAR(pitch_of(summary()), 3.0, 0.8);
 }

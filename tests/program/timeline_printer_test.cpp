@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person sees of a run's events while it goes on.
+// The events of a run that are printed during the run.
 #include "program/run/timeline_printer.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class TimelinePrinterTest : public ::testing::Test {
   TransitionRecord transition(const std::string& machine) {
     return {id(machine), id("watching"), id("correcting"), id("the opposite pose won"), 0};
   }
-  /// What is printed in a frame at `time`.
+  /// The text that is printed in a frame at `time`.
   std::string printed(TimelinePrinter& printer, double time) {
     out.str("");
     frame.world.time = time;
@@ -71,7 +71,7 @@ TEST_F(TimelinePrinterTest, PrintsAllEventsOnRequestAndAlwaysGrantedCommands) {
   frame.transitions.clear();
   frame.commands.push_back({{Reorientation::flip_pose, issuer(), 50.0}, Verdict::granted});
   EXPECT_NE(printed(printer, 0.0), "");
-  EXPECT_NE(printed(printer, 0.1), "") << "a second flip is told";
+  EXPECT_NE(printed(printer, 0.1), "") << "a second flip is printed";
   frame.commands[0].verdict = Verdict::too_soon;
   EXPECT_NE(printed(printer, 0.2), "");
   EXPECT_EQ(printed(printer, 0.3), "") << "refused again, as before";
@@ -96,7 +96,7 @@ TEST_F(TimelinePrinterTest, UsesBoundedMemoryForAnyNumberOfDifferentEvents) {
   }
   EXPECT_LE(lines, static_cast<std::ptrdiff_t>(TimelinePrinter::kMostRemembered) + 1);
   frame.transitions = {transition("orientation")};
-  EXPECT_NE(printed(printer, 20.0), "") << "when the flood is over, news are printed again";
+  EXPECT_NE(printed(printer, 20.0), "") << "after many events, new ones are printed again";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cannot be written does not take the rest with it.
+// If one output cannot be written, the others are still written.
 #include <csignal>
 #include <fstream>
 #include <string>
@@ -21,7 +21,7 @@ class UnwritableOutput : public RunWithAllOutputs {
   UnwritableOutput() { std::filesystem::permissions(folder.path(), std::filesystem::perms::all); }
   ~UnwritableOutput() override { allow(std::filesystem::perms::all); }
 
-  /// What everybody may do in the folder of the pictures.
+  /// Sets the permissions of the folder of the pictures.
   void allow(std::filesystem::perms permissions) const {
     std::filesystem::create_directories(folder.path() / "pictures");
     std::filesystem::permissions(folder.path() / "pictures", permissions);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The main job through wide lenses: the robot is put down on the reflection of its pose, and finds out.
+// The main job through wide lenses: the robot is placed at its mirrored pose, and corrects its belief.
 #include <filesystem>
 #include <string>
 #include <tuple>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tasks in processes of their own.
+// Tasks in separate processes.
 #include "program/experiment/worker_pool.h"
 
 #include <csignal>
@@ -76,7 +76,7 @@ TEST_F(WorkerPool, EndsAtOnceWhenTheCallbackReturnsFalse) {
   const auto ends = run(3, 3, [&](int task) {
     if (task != 1) pause();
   });
-  EXPECT_EQ(ends.size(), 1U) << "two waited for ever, and were ended";
+  EXPECT_EQ(ends.size(), 1U) << "two tasks waited without end, and were ended";
 }
 
 TEST_F(WorkerPool, EndsOnRequest) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests in which the program decodes images of others.
+// Tests in which the program decodes images of other programs.
 #pragma once
 
 #include <cstdlib>

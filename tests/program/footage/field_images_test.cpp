@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient experiment field_images` as its user meets it.
+// `reorient experiment field_images`, called as by a user.
 #include <filesystem>
 #include <fstream>
 #include <map>

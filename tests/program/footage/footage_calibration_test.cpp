@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient calibrate --footage` as its user meets it: on images of the simulator whose recorded camera poses are wrong
+// `reorient calibrate --footage`, called as by a user: on images of the simulator whose recorded camera poses are wrong
 // by a known offset, and on real footage.
 #include <algorithm>
 #include <cstdlib>
@@ -140,7 +140,7 @@ HeldOutMedians medians_of(const std::vector<EdgeView>& views) {
   return {weighted_median(angles.before), weighted_median(angles.after)};
 }
 
-// The recorded roll of single images does not belong to them there, and is left out.
+// The recorded roll of single images is wrong there, and is left out.
 TEST_F(RealFootageCalibration, ReducesTheAngleOfVerticalEdgesOnUnusedImages) {
   FootageArguments arguments;
   arguments.fov_degrees = 60.97;

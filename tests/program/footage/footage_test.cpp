@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient run --robot footage` and `experiment footage` as their user meets them, on images of the simulator that lie
+// `reorient run --robot footage` and `experiment footage`, called as by a user, on images of the simulator that lie
 // in a folder like real footage.
 #include <algorithm>
 #include <cstdlib>
@@ -42,7 +42,7 @@ class Footage : public testing::Test {
  protected:
   static constexpr int kImages = 220;  // 44 s
 
-  /// Once for all tests: to render it takes a while.
+  /// Rendered once for all tests, because it takes a while.
   static const std::filesystem::path& recorded() {
     static const TemporaryFolder folder;
     if (!std::filesystem::exists(folder.path() / "frames.csv")) write_simulated_footage(folder.path(), kImages);
@@ -142,7 +142,7 @@ TEST_F(Footage, EndsAtATruncatedImage) {
     return run({}, folder_.write("cut.csv", "image,time_s,x_m,y_m,rotation_rad\ncut.jpg,0,0,0,0\n"));
   };
   EXPECT_EQ(table(jpeg.size(), "").code, 0);
-  EXPECT_EQ(table(jpeg.size(), std::string(7, '\0')).code, 0) << "some cameras fill up their files";
+  EXPECT_EQ(table(jpeg.size(), std::string(7, '\0')).code, 0) << "some cameras pad their files";
   for (const std::size_t left_out : {std::size_t{2}, jpeg.size() / 4, jpeg.size() / 2}) {
     const ProgramRun cut = table(jpeg.size() - left_out, "");
     EXPECT_EQ(cut.code, kBadInput) << left_out;
@@ -252,7 +252,7 @@ TEST_F(Footage, RunsTrialsAtManyTimes) {
     }
   }
   EXPECT_TRUE(std::filesystem::exists(file("report/index.html")));
-  // What is there is not run again, and says the same.
+  // Finished trials are not run again, and the output is the same.
   const ProgramRun again = run_reorient(words);
   EXPECT_EQ(again.out, tried.out);
 }
@@ -308,7 +308,7 @@ TEST_F(Footage, HasTheSameDigestInAnyFormat) {
   const Words what{"--belief", "mirrored", "--belief-at", "25"};
   const std::string digest = digest_of(run(what));
   ASSERT_NE(digest, "");
-  // A recording of ours.
+  // A recording of this program.
   Words words = what;
   words.insert(words.end(), {"--record", file("run.mcap")});
   EXPECT_EQ(digest_of(run(words)), digest);
@@ -341,7 +341,7 @@ TEST_F(Footage, HasTheSameDigestInAnyFormat) {
   }
   const ProgramRun of_log = run(what, file("log.mcap"));
   EXPECT_EQ(digest_of(of_log), digest) << of_log.out << of_log.err;
-  // The same with files of images in it.
+  // The same with compressed images.
   write_log_of_files(".png", "png.mcap");
   EXPECT_EQ(digest_of(run(what, file("png.mcap"))), digest);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images as files of other kinds, for tests. Built only where OpenCV's imgcodecs and videoio are.
+// Images as files of other kinds, for tests. Built only if OpenCV's imgcodecs and videoio are available.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace reorient {
 
-/// FFV1 in Matroska, which loses nothing; five frames a second. False: it cannot be written here.
+/// FFV1 in Matroska, which is lossless; five frames a second. False: it cannot be written here.
 bool write_lossless_video(const std::vector<std::filesystem::path>& images, const std::filesystem::path& video);
 
 /// An image as a file of another kind: ".png", ".jpg". Empty: it cannot be written here.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient look` as its user meets it, on images of the simulator that lie in a folder like real footage.
+// `reorient look`, called as by a user, on images of the simulator that lie in a folder like real footage.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -65,7 +65,7 @@ TEST_F(Look, ShowsWhatIsSeenInEachImageOfAFolder) {
   EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "out"));
 }
 
-/// The images of a simulated walk one by one, so that nothing of their table is used.
+/// The images of a simulated walk as single files, so that their table is not used.
 struct WalkImages {
   std::vector<std::string> files;
   std::vector<FrameRow> rows;
@@ -103,7 +103,7 @@ TEST_F(Look, FindsThePitchOfImagesThatShowLines) {
 
 TEST_F(Look, DoesNotReportAPitchForImagesOfTheHallOnly) {
   WalkImages walk = walk_images(folder_.path() / "walk", 8, 320, -0.6);
-  walk.files.erase(walk.files.begin(), walk.files.begin() + 2);  // the head is still on its way up
+  walk.files.erase(walk.files.begin(), walk.files.begin() + 2);  // the head is still moving up
   const ProgramRun run = look(walk.files);
   ASSERT_EQ(run.code, 0) << run.err;
   for (const auto& image : seen()) {
@@ -152,7 +152,7 @@ class LookAtRealImages : public DecodedSharedDataTest {
   LookAtRealImages() : DecodedSharedDataTest("images") {}
 };
 
-/// Where the cameras were is estimated by hand: in the first image from the size of the center circle
+/// The camera poses were estimated by hand: in the first image from the size of the center circle
 /// (tests/perception/field/real_images_test.cpp), in the second one from the goal. The horizon crosses its posts at the
 /// camera's height, and its slope from post to post is the roll.
 TEST_F(LookAtRealImages, FindsTheirPitchByLines) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of which pictures and pages are made.
+// The parts of figures and pages.
 #include <cmath>
 #include <string>
 

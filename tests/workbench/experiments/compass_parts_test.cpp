@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the peers are built from: the horizon in an image, color classes, features of a row of brightness, a dome of
+// Parts of the peers: the horizon in an image, color classes, features of a row of brightness, a dome of
 // triangles.
 #include <algorithm>
 #include <cmath>

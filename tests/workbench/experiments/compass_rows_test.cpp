@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What many trials say of each compass: pooled rows, areas, equal errors.
+// Statistics of each compass over many trials: pooled rows, areas, equal errors.
 #include "workbench/experiments/tables/compass_rows.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ Experiment experiment_of_rooms_and_lights() {
   return experiment;
 }
 
-/// A look in which the first method tells the two apart by this much at all times, and the others say nothing.
+/// A look in which the first method has this evidence at all times, and the others have none.
 CompassLook look_of(double lead) {
   CompassLook look{};
   look[0].if_right.fill(-lead);

@@ -31,7 +31,7 @@ std::vector<Corner> corners_in(const Image& image, int contrast = 20) {
   return find_corners(LumaPlane(image.view()), image.height(), contrast);
 }
 
-/// Blobs of brightness, the same on every machine.
+/// Random bright spots, the same on every machine.
 int texture(int x, int y) {
   int luma = 128;
   Random random(11);
@@ -139,7 +139,7 @@ TEST(CornerDescriptor, IsTheSameOnEveryProcessor) {
     for (const std::uint64_t word : describer.describe(corner)) sum = scatter(sum ^ word);
   }
   EXPECT_EQ(sum, 16632155889358853826ULL)
-      << "the features of an image are another set than before; update this number on purpose only";
+      << "the features of an image have changed; update this number only on purpose";
 }
 
 TEST(CornerDescriptor, HasNoDirectionInAnEvenPatch) {
@@ -149,7 +149,7 @@ TEST(CornerDescriptor, HasNoDirectionInAnEvenPatch) {
   EXPECT_EQ(describer.describe({32, 32, 1}), CornerDescriptor{});
 }
 
-/// Stands at a place in a painted room, turns, and scans with its head.
+/// A robot at a fixed position in a painted room that rotates and scans with its head.
 class TurningRobot {
  public:
   TurningRobot(const test::PaintedRoom& room, const Pose2& pose) : robot_(room, {}, 3) {
@@ -212,8 +212,8 @@ TEST(CornerCompass, PrefersTheMirroredPoseIfTheBeliefIsMirrored) {
 }
 
 TEST(CornerCompass, HasLittleEvidenceInASymmetricRoom) {
-  // In the middle of the field, where a pose and its mirrored pose are at one place: elsewhere the assumed distance of
-  // the landmarks alone speaks for the place where they were learned.
+  // In the center of the field, where a pose and its mirrored pose have the same position: elsewhere the assumed
+  // distance of the landmarks alone supports the position where they were learned.
   TurningRobot learner(test::PaintedRoom::symmetric(5), {0.0, 0.0, 0.0});
   CornerCompass compass;
   learner.teach(compass, 600);

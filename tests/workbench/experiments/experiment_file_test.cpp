@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Experiments as files: what is read, what is refused and how.
+// Experiments as files: valid and invalid contents.
 #include "workbench/experiments/condition/experiment_file.h"
 
 #include <string>
@@ -106,8 +106,8 @@ TEST(ExperimentFile, MayNameConditionsThatSeveralExperimentsShare) {
   const std::vector<Cell> cells = cells_of(parse_experiment(text, "x.toml", named_condition));
   ASSERT_EQ(cells.size(), 2U);
   EXPECT_EQ(cells[0].condition.without, (std::vector<std::string>{"orientation", "goal_search"}));
-  EXPECT_EQ(cells[0].condition.measurement.limit, 200.0) << "what a choice names counts more than the base";
-  EXPECT_EQ(cells[1].condition.measurement.limit, 5.0) << "and what it says itself counts most";
+  EXPECT_EQ(cells[0].condition.measurement.limit, 200.0) << "the conditions of a choice override the base";
+  EXPECT_EQ(cells[1].condition.measurement.limit, 5.0) << "and its own values override them";
 }
 
 TEST(ExperimentFile, NamesTheConditionThatIsMissing) {
@@ -135,7 +135,7 @@ TEST(ExperimentFile, UsesTheUsualChoicesOfAnAxis) {
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_EQ(cells[0].choices, std::vector<std::string>{"hard"});
   EXPECT_EQ(with_usual_choices(parsed(with_usual("\"hard\""))).axes.at(0).choices.size(), 1U)
-      << "what is not taken is nothing to compare with";
+      << "unused choices are not compared";
   EXPECT_NE(refusal(with_usual("\"hrad\"")).find("unknown choice 'hrad' of the axis"), std::string::npos);
 }
 
@@ -166,15 +166,15 @@ TEST(Choices, MayBeAddedIfTheAxisDoesNotHaveThem) {
 struct Mistake {
   const char* name;
   std::string text;
-  const char* told;
+  const char* error;
 };
 class MistakenExperiment : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(MistakenExperiment, IsRefusedInOneLineWithItsPosition) {
-  const std::string told = refusal(GetParam().text);
-  EXPECT_NE(told.find(GetParam().told), std::string::npos) << told;
-  EXPECT_TRUE(told.starts_with("some/where.toml:")) << told;
-  EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+  const std::string error = refusal(GetParam().text);
+  EXPECT_NE(error.find(GetParam().error), std::string::npos) << error;
+  EXPECT_TRUE(error.starts_with("some/where.toml:")) << error;
+  EXPECT_EQ(error.find('\n'), std::string::npos) << error;
 }
 
 const std::string kBegin = "title = \"x\"\n[condition]\nscenario = \"a\"\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every compass, asked the same: in a painted hall, by a robot that scans with its head.
+// All compasses in the same situation: a robot in a painted hall that scans with its head.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -28,7 +28,7 @@ std::unique_ptr<OrientationCompass> compass(std::size_t method) {
   return std::move(make_compasses(parameters, 1)[method]);
 }
 
-/// Turns about its place, so that it sees the whole room.
+/// Rotates at its position, so that it sees the whole room.
 class Learner {
  public:
   explicit Learner(const PaintedRoom& room) : robot(room, {}, 3) { robot.truth = robot.belief = Pose2(0.5, 0.3, 0.0); }
@@ -41,7 +41,7 @@ class Learner {
   void teach(OrientationCompass& compass, double seconds = 20.0) {
     for (int i = 0; i < seconds / kStep; ++i) compass.learn(next());
   }
-  /// What it says of the true pose after some seconds, or of its reflection.
+  /// The evidence against the true pose after some seconds, or against its reflection.
   double ask(OrientationCompass& compass, bool reflected, double seconds = 3.0) {
     compass.begin();
     double score = 0.0;
@@ -88,7 +88,7 @@ TEST_P(EachCompass, HasARuleForFlipsWhereOneIsKnown) {
   learner.teach(*learned);
   const auto other = learned->clone();
   EXPECT_FALSE(learner.is_flipped(*learned, false));
-  // Between plain panels chance matches of corners are many: corner_landmarks_test.cpp flips with narrow gates.
+  // Between plain panels many corners match by chance: corner_landmarks_test.cpp flips with narrow gates.
   if (kCompassMethods[GetParam()] == "corner landmarks") return;
   EXPECT_TRUE(learner.is_flipped(*other, true));
   other->begin();
@@ -96,8 +96,8 @@ TEST_P(EachCompass, HasARuleForFlipsWhereOneIsKnown) {
 }
 
 TEST_P(EachCompass, HasLittleEvidenceInASymmetricRoom) {
-  // Landmarks whose distance is assumed speak for the place where they were learned, even in a symmetric room:
-  // corner_landmarks_test.cpp asks in the middle of the field.
+  // Landmarks with an assumed distance support the position where they were learned, even in a symmetric room:
+  // corner_landmarks_test.cpp tests in the center of the field.
   if (kCompassMethods[GetParam()] == "corner landmarks") GTEST_SKIP() << "it depends on the place";
   Learner colorful(PaintedRoom::colorful(5)), symmetric(PaintedRoom::symmetric(5));
   const auto in_colorful = compass(GetParam()), in_symmetric = compass(GetParam());
@@ -115,7 +115,7 @@ TEST_P(EachCompass, HasLittleEvidenceInASymmetricRoom) {
 
 TEST_P(EachCompass, HasNoEvidenceBeforeItHasLearned) {
   Learner learner(PaintedRoom::colorful(5));
-  if (kCompassMethods[GetParam()] == "its paper recipe") GTEST_SKIP() << "its particles are never without an opinion";
+  if (kCompassMethods[GetParam()] == "its paper recipe") GTEST_SKIP() << "its particles always support one pose";
   EXPECT_EQ(learner.ask(*compass(GetParam()), false), 0.0);
 }
 

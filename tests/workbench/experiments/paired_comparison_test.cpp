@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two ways that were tried on the same seeds.
+// Two choices with the same seeds.
 #include "workbench/experiments/tables/paired_comparison.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(PairedComparison, CountsFailuresOfOneTrialOfAPair) {
   EXPECT_EQ(comparison.only_first_failed, 2);
   EXPECT_EQ(comparison.only_second_failed, 1);
   EXPECT_EQ(comparison.failed_p, mcnemar_p(2, 1));
-  EXPECT_FALSE(comparison.median_difference) << "no pair came right in both";
+  EXPECT_FALSE(comparison.median_difference) << "no pair was corrected in both";
 }
 
 TEST(PairedComparison, LeavesOutPairsWithAnUndisturbedTrial) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How exactly the belief of a trial is compared with the truth, and what a row makes of it.
+// Errors of the belief of a trial, and their statistics in a row.
 #include <cmath>
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page and the table of trials, from results made up.
+// The page and the table of trials, from artificial results.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 const std::string kHostile = "<script>alert('x')</script> \"&\x01\xFF\xC0,\n=1";
 
-/// Comes right at a time by its seed, every fifth never; the confidences cross when it does.
+/// Corrected at a time that depends on the seed, every fifth trial never; the confidences cross at that time.
 TrialResult shown_result(std::uint64_t seed, bool is_disturbed) {
   Random random(seed, 7);
   TrialResult trial;
@@ -92,7 +92,7 @@ TEST(ReportPage, IsTheSameForEqualReports) {
 TEST(ReportPage, ShowsTheNumbersOfTheRows) {
   Report report = report_with("halls", 9);
   Row& row = report.cells[0].row;
-  row.right.mean = 123.4;  // no second computation of what the row says
+  row.right.mean = 123.4;  // the page must show the row's value
   row.right.interval = Interval{120.1, 129.9};
   row.right_median = 77.7;
   row.by_command.mean = 55.5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cell's trials in numbers.
+// Statistics of the trials of a cell.
 #include "workbench/experiments/tables/row.h"
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST(Row, CountsFailuresOfDisturbedTrials) {
   const Row row = row_of({corrected(3.0), failed(), stays_correct(100.0, 0), TrialResult()});
   EXPECT_EQ(row.trials, 4);
   EXPECT_EQ(row.disturbed, 3);
-  EXPECT_EQ(row.failed, 2) << "one never began";
+  EXPECT_EQ(row.failed, 2) << "one never started";
   EXPECT_EQ(row.not_started, 1);
   EXPECT_LT(row.failed_rate.low, 2.0 / 3.0);
   EXPECT_GT(row.failed_rate.high, 2.0 / 3.0);
@@ -77,7 +77,7 @@ TEST(Row, ReportsTheTimesOfTrialsThatDidNotFail) {
 TEST(Row, CountsAFailedTrialAsLaterThanAllOthersInItsQuantiles) {
   const Row row = row_of({corrected(3.0), corrected(5.0), failed()});
   EXPECT_EQ(row.right_median, 5.0);
-  EXPECT_FALSE(row.right_p90) << "a third of the trials never came so far";
+  EXPECT_FALSE(row.right_p90) << "a third of the trials was never right";
 }
 
 TEST(Row, DistinguishesFlipsFromPurges) {

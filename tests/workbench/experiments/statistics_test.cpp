@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Against what was published.
+// Comparison with published values.
 #include <cmath>
 #include <vector>
 
@@ -206,8 +206,8 @@ TEST(Calibration, IsPerfectIfProbabilitiesMatchFrequencies) {
 }
 
 TEST(Calibration, CountsOverconfidenceAndUnderconfidence) {
-  const std::vector<double> certain{std::log(9.0), -std::log(9.0)};         // says 90 %, is right in 50 %
-  const std::vector<double> timid{std::log(1.5), std::log(1.5), 0.405465};  // says 60 %, is always right
+  const std::vector<double> certain{std::log(9.0), -std::log(9.0)};         // states 90 %, is right in 50 %
+  const std::vector<double> timid{std::log(1.5), std::log(1.5), 0.405465};  // states 60 %, is always right
   EXPECT_NEAR(calibration_error(calibration_bins(certain)), 0.4, 1e-9);
   EXPECT_NEAR(calibration_error(calibration_bins(timid)), 0.4, 1e-6);
   std::vector<double> both = certain;

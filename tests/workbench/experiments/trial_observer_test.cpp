@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured of a trial.
+// Measurements of a trial.
 #include "workbench/experiments/trial/trial_observer.h"
 
 #include <string>
@@ -86,7 +86,7 @@ TEST(Trial, IsRightFromTheMomentAfterWhichItStaysRight) {
   ASSERT_TRUE(trial.result().right_after);
   EXPECT_NEAR(*trial.result().right_after, 8.1, 1e-9);
   trial.believe(reflect(kTruth), 1.0);
-  EXPECT_NEAR(*trial.result().right_after, 8.1, 1e-9) << "what happens later is told by the other numbers";
+  EXPECT_NEAR(*trial.result().right_after, 8.1, 1e-9) << "later events are in the other values";
 }
 
 TEST(Trial, FailsWhereTheBeliefIsRightTooLate) {
@@ -119,7 +119,7 @@ TEST(Trial, ThatWasNeverWrongIsRightAtOnce) {
 TEST(Trial, IsJudgedFromWhatTheScenarioDidOnNotBefore) {
   Told trial(from_lost());
   trial.believe(kTruth, 5.0, "learning");
-  trial.show(trial.frame(kTruth), "lost");  // the scenario enters the state, and tells the robot something wrong
+  trial.show(trial.frame(kTruth), "lost");  // the scenario enters the state, and sets a wrong pose
   trial.believe(reflect(kTruth), 3.0);
   EXPECT_FALSE(trial.result().correct_at_start);
 }

@@ -162,7 +162,7 @@ TEST_F(FieldScoring, CountsPointsByWhereTheyAre) {
   labels_.posts = {{{50, 150}, {50, 60}}};
   const FieldScore seen =
       score(points_at({{320, 199}, {310, 305}, {20, 50}, {52, 120}, {400, 400}, {550, 420}, {320, 206}}));
-  EXPECT_EQ(seen.line_points, 6) << "one lies where nothing is judged";
+  EXPECT_EQ(seen.line_points, 6) << "one is in an ignored area";
   EXPECT_EQ(seen.on_lines, 1);
   EXPECT_EQ(seen.in_masks, 3);
   EXPECT_EQ(seen.elsewhere(), 2);

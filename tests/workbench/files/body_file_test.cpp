@@ -23,7 +23,7 @@ std::string nao_text() {
   return text.str();
 }
 
-/// With another line in place of the one that begins so; without it where that is empty.
+/// The file with `line` instead of the line that starts with `begin`; empty: without that line.
 std::string nao_with(std::string_view begin, std::string_view line) {
   std::string text = nao_text();
   const std::size_t at = text.find("\n" + std::string(begin));
@@ -32,7 +32,7 @@ std::string nao_with(std::string_view begin, std::string_view line) {
   return text;
 }
 
-/// The message with which reading fails; empty where it does not.
+/// The error message of reading; empty: success.
 std::string complaint_about_body(const std::string& text) {
   try {
     static_cast<void>(parse_body(text, "robot.toml"));
@@ -177,7 +177,7 @@ TEST(BodyFile, WithAMistakeIsRefusedWithItsLine) {
   };
   for (const auto& [text, why] : mistakes) {
     const std::string complaint = complaint_about_body(text);
-    EXPECT_NE(complaint.find(why), std::string::npos) << complaint << "\nwanted: " << why;
+    EXPECT_NE(complaint.find(why), std::string::npos) << complaint << "\nexpected: " << why;
     EXPECT_EQ(complaint.rfind("robot.toml:", 0), 0u) << complaint;
     EXPECT_EQ(complaint.find('\n'), std::string::npos) << complaint;
   }

@@ -21,7 +21,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// The message with which loading fails; empty where it does not.
+/// The error message of loading; empty: success.
 std::string complaint(const std::filesystem::path& file) {
   try {
     load_field(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a name on the command line stands for.
+// The meaning of a name on the command line.
 #include "workbench/files/home.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What belongs to one robot: where its players stand, how its cameras are mounted.
+// Files of one robot or team: initial poses of players, mounting of cameras.
 #include <string>
 
 #include <gtest/gtest.h>

@@ -60,7 +60,7 @@ class OpenFootage : public ::testing::Test {
                                   }});
   }
 
-  /// Everything that comes, and why it ends early.
+  /// All frames, and the reason of an early end.
   std::pair<std::vector<FootageFrame>, std::string> read(
       const std::filesystem::path& source, const std::function<void(FootageRequest&)>& change = {}) const {
     std::vector<FootageFrame> frames;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wall that is found in images of a round room of a known size.
+// The wall that is fitted to images of a round room of known size.
 #include "workbench/footage/wall_fit.h"
 
 #include <cmath>

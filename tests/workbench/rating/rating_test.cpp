@@ -46,7 +46,7 @@ SavedModel two_fold(SavedModel model) {
   return model;
 }
 
-/// White all around but for a few columns of colors, so that most looks show nothing.
+/// White except for a few colored columns, so that most views contain no evidence.
 SavedModel nearly_white() {
   SavedModel model = some_model(3);
   const Wall wall(model.basis.wall);
@@ -174,7 +174,7 @@ TEST(Banner, AddsEvidenceOnlyAtItsPosition) {
   const std::vector<DirectionRating> before = rated(room), after = rated(with_banner(room, banner));
   EXPECT_GT(after[12].log_odds, before[12].log_odds + 0.1);
   EXPECT_GT(after[36].log_odds, before[36].log_odds + 0.1) << "nor is it seen where it should hang";
-  // Two meters are nearly two columns of 7.5 degrees; the mean difference of the room is a little another one.
+  // Two meters are nearly two columns of 7.5 degrees; the mean difference of the room differs slightly.
   for (const int far : {8, 16, 20, 30}) {
     const auto i = static_cast<std::size_t>(far);
     EXPECT_NEAR(after[i].log_odds, before[i].log_odds, 1e-6) << far;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long frames took, in three numbers.
+// Durations of frames in three numbers.
 #include "workbench/run/frame_times.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses at half-time: the operator's axes are the hall's, everybody else's are the team's.
+// Poses at half-time: the operator uses the axes of the hall, all others use the team's.
 #include <optional>
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is kept of a run, however long it is.
+// The bounded history of a run of any length.
 #include "workbench/run/run_history.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The events of a run in words, of which a bounded number of commands is kept.
+// The events of a run as text, with a bounded number of stored commands.
 #include "workbench/run/timeline.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST_F(TimelineTest, UsesBoundedMemoryForAnyNumberOfMachines) {
     frame.names = names.table();
     history.observe(frame, scene);
   }
-  // One of each machine that has a place of its own, and the latest of the others.
+  // One of each machine with its own storage, and the latest of the others.
   EXPECT_LE(history.commands().size(), CommandHistory::kMostMachines + CommandHistory::kMostOfAMachine);
 }
 
