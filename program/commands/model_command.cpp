@@ -110,8 +110,8 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
   files.writes(options.out, "--out");
   TwoModels two = read_two(options);
   if (is_same(two.first, two.second))  // the same observations would count twice
-    throw std::runtime_error("A and B are the same model: " + options.first.string() + ", " + options.second.string() +
-                             "; name two models");
+    throw std::runtime_error("expected two different models, found the same one: " + options.first.string() + ", " +
+                             options.second.string() + "; name two models");
   if (options.sides_changed) two.second.rotate_by_180_degrees();
   const ModelComparison comparison = compare(two.first, two.second);
   if (comparison.is_turned()) {
@@ -123,8 +123,8 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
   // A model that is half wrong is worse than no model.
   if (!comparison.is_same_way()) {
     throw std::runtime_error(fmt::format(
-        "cannot tell that {} and {} are of the same room, seen from the same end of the field: see 'reorient "
-        "model compare'; let each robot learn more of the tiles that the other one has learned",
+        "{} and {}: expected models of the same room from the same end of the field, found too little agreement; see "
+        "'reorient model compare'; let each robot learn more of the tiles that the other one has learned",
         options.first.string(), options.second.string()));
   }
   require_writable_file(options.out, "--out");

@@ -37,13 +37,14 @@ int make(const NewOptions& options, std::ostream& out) {
   const std::filesystem::path script = root / (is_behavior ? "behaviors" : "scenarios") / (options.name + ".lua");
   const std::filesystem::path test = root / "tests" / (options.name + "_test.lua");
   for (const std::filesystem::path& file : {script, test}) {
-    if (std::filesystem::exists(file)) throw std::runtime_error(file.string() + " exists already; choose another name");
+    if (std::filesystem::exists(file))
+      throw std::runtime_error(file.string() + ": expected a new file, found an existing one; choose another name");
   }
   for (const std::filesystem::path& file : {script, test}) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     if (error)
-      throw std::runtime_error("cannot make the folder " + file.parent_path().string() + ": " + error.message());
+      throw std::runtime_error("cannot create the folder " + file.parent_path().string() + ": " + error.message());
   }
   const std::string where = options.scripts.empty() ? "" : " --scripts " + options.scripts.string();
   write_whole_file(script, named(script_template(options.kind), options.name));

@@ -78,13 +78,15 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
   const std::filesystem::path part = tests / "recordings" / (name + ".mcap"), test = tests / (name + "_test.lua");
   for (const std::filesystem::path& file : {part, test}) {
     if (std::filesystem::exists(file))
-      throw std::runtime_error(file.string() + " exists already; choose another name: --name NAME");
+      throw std::runtime_error(file.string() +
+                               ": expected a new file, found an existing one; choose another name: --name NAME");
   }
   Recording recording(options.file);
   require_recorded(recording, options.times);
   std::error_code error;
   std::filesystem::create_directories(part.parent_path(), error);
-  if (error) throw std::runtime_error("cannot make the folder " + part.parent_path().string() + ": " + error.message());
+  if (error)
+    throw std::runtime_error("cannot create the folder " + part.parent_path().string() + ": " + error.message());
   const Rewritten done = cut_recording(recording, options.times.from, options.times.to, part, Views::left_out);
   tell_damages(recording, err);
   const auto write_test = [&] {

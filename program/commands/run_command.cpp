@@ -265,7 +265,6 @@ constexpr OptionUse kOptionUses[] = {
 
 /// "--robot companion or nao".
 std::string names_of(Robots robots) {
-  if (robots == kOfSimulator) return "the simulator";
   std::string names;
   for (const auto& [robot, name] : kRobots) {
     if ((robots & robot) != 0) names.append(names.empty() ? "" : " or ").append(name);
@@ -297,11 +296,12 @@ void refuse_unused_options(const CLI::App& run, const std::string& robot) {
   for (const OptionUse& use : kOptionUses) {
     if ((use.robots & robot_named(robot)) != 0 || run.get_option(use.option)->count() == 0) continue;
     if (robot == kCompanion && (use.robots & kOfSimulator) != 0)
-      throw std::runtime_error(std::string(use.option) +
-                               ": not used by the companion, whose client describes the robot");
+      throw std::runtime_error(
+          std::string(use.option) +
+          ": expected --robot simulator, found --robot companion, whose client describes the robot");
     // Options of the simulator are known best, so it is named alone.
     const Robots users = (use.robots & kOfSimulator) != 0 ? kOfSimulator : use.robots;
-    throw std::runtime_error(std::string(use.option) + ": used by " + names_of(users) + " only");
+    throw std::runtime_error(std::string(use.option) + ": expected " + names_of(users) + ", found --robot " + robot);
   }
 }
 

@@ -103,10 +103,10 @@ SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t 
 }
 
 CompassParameters compass_parameters_of(const Condition& condition) {
-  ParameterOptions told;
-  told.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
-  told.changes = condition.parameters;
-  return compass_parameters(overrides_of(told));
+  ParameterOptions options;
+  options.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
+  options.changes = condition.parameters;
+  return compass_parameters(overrides_of(options));
 }
 
 TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts,

@@ -30,7 +30,7 @@ PreparedFootage prepare_footage(const FootageSetup& setup, const ScriptTexts& sc
 
   FootageWall wall =
       footage_wall(*open_footage(setup.source, setup.footage, frame.body), setup.footage.wall, frame.field, frame.body);
-  prepared.wall = std::move(wall.told);
+  prepared.wall = std::move(wall.line);
   // Values of the user come last and override the others.
   frame.parameters.insert(frame.parameters.begin(), wall.parameters.begin(), wall.parameters.end());
   return prepared;

@@ -14,7 +14,7 @@ namespace reorient {
 
 struct FootageWall {
   std::vector<ParameterChange> parameters;  ///< applied before the user's parameters
-  std::string told;                         ///< a line for the user
+  std::string line;                         ///< for the user
 };
 
 /// `choice`: "auto", "field" or a radius in m. Reads the source if it is "auto". Throws std::runtime_error with one

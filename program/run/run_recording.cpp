@@ -99,8 +99,9 @@ void require_new_or_recording(const std::filesystem::path& file, const std::stri
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) == 0) return;
   if (mcap::is_mcap(mcap::FileSource(file))) return;
-  throw std::runtime_error(option + " " + file.string() +
-                           ": the file exists and is not a recording; it was not changed; name another file");
+  throw std::runtime_error(
+      option + " " + file.string() +
+      ": expected a new file or a recording, found another file, which was not changed; name another one");
 }
 
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
@@ -117,9 +118,10 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
     read_rotation(options.record_rotate, recorder);
     // The user did not name the further files: they must not be overwritten, nor seem to belong to this run.
     if (const auto part = further_part(options.record); part && is_simulated) {
-      throw std::runtime_error("--record-rotate: " + part->string() +
-                               " exists already, as a part of an earlier run; move it away, or name another file with "
-                               "--record");
+      throw std::runtime_error(
+          "--record-rotate: " + part->string() +
+          ": expected no part of an earlier run, found one; move it away, or name another file with "
+          "--record");
     }
   }
   recorder.about = {{"version", REORIENT_VERSION},

@@ -264,10 +264,12 @@ TEST_F(CompanionClient, GetsOneLineForOptionsThatTheCompanionDoesNotUse) {
   std::filesystem::create_symlink(folder_.path() / "precious", link);
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "companion"}, "--robot companion: expected no scenario"},
-      {{"run", "--robot", "companion", "--room", "hall.hdr"}, "--room: not used by the companion"},
-      {{"run", "--robot", "companion", "--body", "nao-v6"}, "--body: not used by the companion"},
-      {{"run", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
-      {{"run", "--fresh"}, "--fresh: used by --robot companion only"},
+      {{"run", "--robot", "companion", "--room", "hall.hdr"},
+       "--room: expected --robot simulator, found --robot companion"},
+      {{"run", "--robot", "companion", "--body", "nao-v6"},
+       "--body: expected --robot simulator, found --robot companion"},
+      {{"run", "--socket", "/tmp/s"}, "--socket: expected --robot companion, found --robot simulator"},
+      {{"run", "--fresh"}, "--fresh: expected --robot companion, found --robot simulator"},
       {{"run", "--robot", "companion", "--socket", folder_.write("file", "x").string()},
        "expected a socket or no file, found another file"},
       {{"run", "--robot", "companion", "--socket", socket(), "--state", "/nowhere/state"}, "--state"},

@@ -30,16 +30,16 @@ class NaoProcesses : public ::testing::Test {
 TEST_F(NaoProcesses, RefuseOptionsThatANaoDoesNotUseWithOneLine) {
   const std::pair<std::vector<std::string>, const char*> mistakes[] = {
       {{"run", "mirrored_placement", "--robot", "nao"}, "--robot nao: expected no scenario"},
-      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: used by the simulator only"},
-      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: used by --robot companion only"},
-      {{"run", "--robot", "nao", "--width", "160"}, "(expected 320 or 640 pixels for a NAO)"},
+      {{"run", "--robot", "nao", "--room", "hall.hdr"}, "--room: expected --robot simulator, found --robot nao"},
+      {{"run", "--robot", "nao", "--socket", "/tmp/s"}, "--socket: expected --robot companion, found --robot nao"},
+      {{"run", "--robot", "nao", "--width", "160"}, "--width: expected 320 or 640 pixels for a NAO, found 160"},
       {{"run", "--robot", "nao", "--at", "1,2"}, "expected X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "expected X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--at", "nan,0,0"}, "expected X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--team", "255"}, "--team"},
       {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
       {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},
-       "--places: requires --team"},
+       "--places: expected --team"},
       {{"run", "--robot", "nao", "--places", folder_.write("bad.toml", "player_0 = [1, 2, 3]").string(), "--team", "5"},
        "unknown key 'player_0'"},
       {{"run", "--robot", "nao", "--calibration", file("nowhere.toml")}, "expected a file (calibration), found none"},
@@ -50,8 +50,8 @@ TEST_F(NaoProcesses, RefuseOptionsThatANaoDoesNotUseWithOneLine) {
       {{"calibrate", "--at", "here"}, "expected X,Y,DEGREES"},
       {{"calibrate", "--at", "0,0,0", "--out", "/nowhere/calibration.toml"}, "--out"},
       {{"calibrate", "--at", "0,0,0", "--width", "160"}, "--width"},
-      {{"run", "--team", "5"}, "--team: used by --robot nao only"},
-      {{"run", "--stand"}, "--stand: used by --robot nao only"},
+      {{"run", "--team", "5"}, "--team: expected --robot nao, found --robot simulator"},
+      {{"run", "--stand"}, "--stand: expected --robot nao, found --robot simulator"},
   };
   for (const auto& [words, why] : mistakes) {
     ChildProgram program(folder_.path(), words);

@@ -300,7 +300,7 @@ TEST_F(BadInput, AnOutputAmongTheScriptsIsRefused) {
 
 TEST_F(BadInput, AFileThatIsNotARecordingIsNotOverwritten) {
   const std::string letters = file("letters.txt", "years of work");
-  expect_refused_run({"--record", letters}, {letters, "the file exists and is not a recording"});
+  expect_refused_run({"--record", letters}, {letters, "expected a new file or a recording, found another file"});
   EXPECT_EQ(read_text(letters), "years of work");
 }
 

@@ -327,7 +327,8 @@ TEST_F(ModelCommand, MergesTwoModelsUnlessOneIsRotated) {
   const std::string merged_bytes = read_text(both);
   expect_bad({"merge", one, turned, "--out", both}, "the teams changed sides; merge them with --sides-changed");
   expect_bad({"merge", one, other, "--out", both, "--sides-changed"}, "leave out --sides-changed");
-  expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both}, "cannot tell that " + one + " and ");
+  expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both},
+             ": expected models of the same room from the same end of the field");
   EXPECT_EQ(read_text(both), merged_bytes);
   EXPECT_EQ(model({"merge", one, turned, "--out", both, "--sides-changed"}).code, kSuccess);
   EXPECT_EQ(read_text(both), merged_bytes);
@@ -345,8 +346,10 @@ TEST_F(ModelCommand, RefusesTheSameModelTwice) {
   const std::string one = file_of(some_model(1), "one"), copy = file_of(some_model(1), "copy");
   const std::string other = file_of(some_model(1, 1), "other"), before = read_text(one);
   expect_bad({"merge", one, one, "--out", one}, "expected two files, found the same one");
-  expect_bad({"merge", one, one, "--out", (folder.path() / "both").string()}, "A and B are the same model");
-  expect_bad({"merge", one, copy, "--out", (folder.path() / "both").string()}, "A and B are the same model");
+  expect_bad({"merge", one, one, "--out", (folder.path() / "both").string()},
+             "expected two different models, found the same one");
+  expect_bad({"merge", one, copy, "--out", (folder.path() / "both").string()},
+             "expected two different models, found the same one");
   expect_bad({"merge", one, other, "--out", other},
              "a model to merge and --out: expected two files, found the same one");
   expect_bad({one, "--picture", one}, "the model and --picture: expected two files, found the same one");

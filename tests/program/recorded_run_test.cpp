@@ -365,7 +365,7 @@ TEST_F(RunThatIsRecorded, KeepsTheFurtherPartsOfAnEarlierOne) {
   folder_.write("rot.notes.mcap", "no part");
   const ProgramRun refused = run_shortly({"--record", file("rot.mcap"), "--record-rotate", "1s"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find(file("rot.3.mcap") + " exists already, as a part of an earlier run"), std::string::npos)
+  EXPECT_NE(refused.err.find(file("rot.3.mcap") + ": expected no part of an earlier run, found one"), std::string::npos)
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(file("rot.mcap")));
   std::filesystem::remove(file("rot.3.mcap"));
@@ -443,7 +443,8 @@ TEST_F(RunThatIsRecorded, RefusesInvalidOptionsWithOneLine) {
        "the recording and --out: expected two files, found the same one"},
       {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", file("run.mcap")},
        "expected two files, found the same one"},
-      {{"recording", "recover", file("run.mcap"), "--out", text}, "the file exists and is not a recording"},
+      {{"recording", "recover", file("run.mcap"), "--out", text},
+       "expected a new file or a recording, found another file"},
       {{"run", "--record", file("x.mcap"), "--record-rotate", "often"}, "expected a size or a time"},
       {{"run", "--record", file("x.mcap"), "--record-rotate", "-5min"}, "expected a size or a time"},
       {{"recording", "export", file("run.mcap"), "--csv", "everything"}, "--csv"},

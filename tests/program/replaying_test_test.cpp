@@ -133,7 +133,9 @@ TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
 
   const ProgramRun again = run_reorient(make);
   EXPECT_EQ(again.code, 2);
-  EXPECT_NE(again.err.find("exists already; choose another name: --name NAME"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("expected a new file, found an existing one; choose another name: --name NAME"),
+            std::string::npos)
+      << again.err;
   const ProgramRun badly = run_reorient({"record-test", recording, "--name", "../x", "--scripts", scripts().string()});
   EXPECT_EQ(badly.code, 2);
   EXPECT_NE(badly.err.find("invalid script name"), std::string::npos) << badly.err;

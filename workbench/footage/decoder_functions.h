@@ -28,7 +28,7 @@ int reorient_decode_image(const void* bytes, size_t size, struct reorient_pixels
 void* reorient_open_video(const char* file);
 /** 0: success; 1: no frame is left. */
 int reorient_next_frame(void* video, struct reorient_pixels* pixels);
-/** As the file says; 0: it does not. */
+/** From the file; 0: the file does not contain it. */
 double reorient_frames_per_second(void* video);
 void reorient_close_video(void* video);
 

@@ -149,7 +149,7 @@ std::string table_of(const TableWish& wish, const ordered_json& rows) {
   return head + "\n" + line + "\n" + body;
 }
 
-/// One line that says how the results were made.
+/// One line with the command and circumstances of the results.
 std::string origin_of(const std::string& text, const std::string& file) {
   if (text.empty()) return {};
   const ordered_json run = parsed(text, file);

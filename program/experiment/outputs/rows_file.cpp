@@ -27,10 +27,10 @@ constexpr int kMostEvents = 1'000'000'000;
 
 /// A short value as it is in the file, otherwise its type.
 std::string shown(const ordered_json& value) {
-  constexpr std::size_t kLongest = 40;
-  const bool is_short = !value.is_structured() && (!value.is_string() || value.size() <= kLongest);
+  constexpr std::size_t kLongestShown = 40;
+  const bool is_short = !value.is_structured() && (!value.is_string() || value.size() <= kLongestShown);
   const std::string text = is_short ? value.dump() : std::string();
-  return text.empty() || text.size() > kLongest ? value.type_name() : text;
+  return text.empty() || text.size() > kLongestShown ? value.type_name() : text;
 }
 
 const ordered_json& at(const ordered_json& table, const char* key, const char* what) {

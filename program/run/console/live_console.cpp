@@ -91,10 +91,10 @@ void LiveConsole::begin_line() {
 std::string LiveConsole::reply(const FrameRecord& frame, const SceneTruth& scene) {
   if (!reply_) return {};
   try {
-    const std::optional<std::string> said = reply_(frame, scene);
-    if (!said) return {};
+    const std::optional<std::string> answer = reply_(frame, scene);
+    if (!answer) return {};
     reply_ = {};
-    return *said;
+    return *answer;
   } catch (const std::runtime_error& error) {
     reply_ = {};
     return mistake(error);

@@ -62,12 +62,12 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   std::optional<RecorderOptions> recording_options = recorder_options(options, "");
   const std::optional<Pose2> place = place_of(options.at);
   if (options.width != 320 && options.width != 640)
-    throw std::runtime_error("--width " + std::to_string(options.width) + " (expected 320 or 640 pixels for a NAO)");
+    throw std::runtime_error("--width: expected 320 or 640 pixels for a NAO, found " + std::to_string(options.width));
 
   const Places places = options.places.empty() ? Places() : load_places(options.places);
   if (!options.places.empty() && options.team == 0)
     throw std::runtime_error(
-        "--places: requires --team, since the referee's messages are used only with the team's number");
+        "--places: expected --team, since the referee's messages are used only with the team's number, found none");
 
   nao::NaoOptions robot_options;
   std::uint64_t mounting = 0;

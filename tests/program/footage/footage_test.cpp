@@ -217,8 +217,8 @@ TEST_F(Footage, IsRefusedIfTheCommandOrTheTableIsInvalid) {
       {{"--frames", table_with(",rotation_rad", ",roation_rad")}, "found 'roation_rad' (did you mean 'rotation_rad'?)"},
       {{"--frames", table_with("pitch_rad", "pitch")}, "found 'pitch' (did you mean 'pitch_rad'?)"},
       {{"--frames", "/nowhere.csv"}, "/nowhere.csv: expected a table, found nothing of that name"},
-      {{"--room", "hall.hdr"}, "--room: used by the simulator only"},
-      {{"--width", "320"}, "--width: used by the simulator only"},
+      {{"--room", "hall.hdr"}, "--room: expected --robot simulator, found --robot footage"},
+      {{"--width", "320"}, "--width: expected --robot simulator, found --robot footage"},
       {{"--wall", "far"}, "--wall: expected auto, field or a radius of 1 to 200 m, found 'far'"},
       {{"--images-per-second", "0"}, "--images-per-second"},
       {{"--set", "wall.radios=3"}, "wall.radios"},
@@ -232,8 +232,10 @@ TEST_F(Footage, IsRefusedIfTheCommandOrTheTableIsInvalid) {
   const ProgramRun nothing = run_reorient({"run", "--robot", "footage"});
   EXPECT_EQ(nothing.code, kBadInput);
   EXPECT_NE(nothing.err.find("--robot footage: expected a source"), std::string::npos) << nothing.err;
-  const ProgramRun vain = run_reorient({"run", "--images-per-second", "5"});
-  EXPECT_NE(vain.err.find("--images-per-second: used by --robot footage only"), std::string::npos) << vain.err;
+  const ProgramRun unused = run_reorient({"run", "--images-per-second", "5"});
+  EXPECT_NE(unused.err.find("--images-per-second: expected --robot footage, found --robot simulator"),
+            std::string::npos)
+      << unused.err;
 }
 
 TEST_F(Footage, RunsTrialsAtManyTimes) {
