@@ -36,20 +36,21 @@ int images_every(const std::string& option) {
   if (option == "lossless") return 1;
   if (option == "none") return 0;
   if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
-  throw std::runtime_error("--record-images " + option + ": expected lossless, every:N (each Nth frame) or none");
+  throw std::runtime_error("--record-images: expected lossless, every:N (each Nth frame) or none, found '" + option +
+                           "'");
 }
 
 /// "jpeg:75": 75, "none": 0.
 int jpeg_quality(const std::string& option) {
   if (option == "none") return 0;
   if (const auto quality = number_behind("jpeg:", option, 100)) return *quality;
-  throw std::runtime_error("--view-images " + option + ": expected jpeg:Q (a quality from 1 to 100) or none");
+  throw std::runtime_error("--view-images: expected jpeg:Q (a quality from 1 to 100) or none, found '" + option + "'");
 }
 
 int particles_every(const std::string& option) {
   if (option == "none") return 0;
   if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
-  throw std::runtime_error("--view-particles " + option + ": expected every:N (each Nth frame) or none");
+  throw std::runtime_error("--view-particles: expected every:N (each Nth frame) or none, found '" + option + "'");
 }
 
 /// "500MB", "2GB", "90s", "10min".
@@ -64,8 +65,8 @@ void read_rotation(const std::string& option, RecorderOptions& recorder) {
   } else if (is_sound && (unit == "s" || unit == "min")) {
     recorder.rotate_seconds = number * (unit == "s" ? 1.0 : 60.0);
   } else {
-    throw std::runtime_error("--record-rotate " + option +
-                             ": expected a size or a time, as in 500MB, 2GB, 90s or 10min");
+    throw std::runtime_error("--record-rotate: expected a size or a time, as in 500MB, 2GB, 90s or 10min, found '" +
+                             option + "'");
   }
 }
 

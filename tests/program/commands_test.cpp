@@ -108,7 +108,7 @@ TEST_F(CommandsTest, GraphWritesAFile) {
 TEST_F(CommandsTest, GraphRefusesUnknownScripts) {
   const ProgramRun drawn = run({"graph", "orientatoin"});
   EXPECT_EQ(drawn.code, kBadInput);
-  EXPECT_NE(drawn.err.find("did you mean 'orientation'?"), std::string::npos) << drawn.err;
+  EXPECT_NE(drawn.err.find("(did you mean 'orientation'?)"), std::string::npos) << drawn.err;
   EXPECT_EQ(run({"graph", "orientation", "--format", "png"}).code, kBadInput);
 }
 
@@ -202,8 +202,13 @@ TEST_F(CommandsTest, ParamsAcceptsPresetsByName) {
 
 TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
   EXPECT_EQ(run({"params", "no_such_part"}).code, kBadInput);
-  EXPECT_NE(run({"params", "orientaton."}).err.find("(did you mean 'orientation.'?)"), std::string::npos);
-  EXPECT_NE(run({"params", "lingring"}).err.find("(did you mean 'orientation.lingering'?)"), std::string::npos);
+  EXPECT_NE(run({"params", "orientaton."})
+                .err.find("expected a part of a parameter's name, found 'orientaton.' (did you mean 'orientation.'?)"),
+            std::string::npos);
+  EXPECT_NE(
+      run({"params", "lingring"})
+          .err.find("expected a part of a parameter's name, found 'lingring' (did you mean 'orientation.lingering'?)"),
+      std::string::npos);
   EXPECT_EQ(run({"params", "--set", "orientation.led=1"}).code, kBadInput);
   EXPECT_EQ(run({"params", "--set", "orientation.lingering=2"}).code, kBadInput);
 }

@@ -138,7 +138,7 @@ TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
       << again.err;
   const ProgramRun badly = run_reorient({"record-test", recording, "--name", "../x", "--scripts", scripts().string()});
   EXPECT_EQ(badly.code, 2);
-  EXPECT_NE(badly.err.find("invalid script name"), std::string::npos) << badly.err;
+  EXPECT_NE(badly.err.find("invalid script name '"), std::string::npos) << badly.err;
   const ProgramRun empty =
       run_reorient({"record-test", recording, "--from", "50", "--name", "none", "--scripts", scripts().string()});
   EXPECT_EQ(empty.code, 2);
