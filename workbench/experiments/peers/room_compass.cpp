@@ -15,8 +15,8 @@ double RoomCompass::compare(const RoomObservation& view) {
   compared.train = false;
   compared.evaluate = true;
   const Confidences& confidences = awareness_.update(compared);
-  score_ = score_ == RoomScore::evidence ? confidences.evidence : confidences.opposite - confidences.current;
-  return score_;
+  result_ = score_ == RoomScore::evidence ? confidences.evidence : confidences.opposite - confidences.current;
+  return result_;
 }
 
 std::optional<bool> RoomCompass::wants_flip() const {
@@ -24,7 +24,7 @@ std::optional<bool> RoomCompass::wants_flip() const {
   // confirmed, ln(240 / 0.02), and scripts/behaviors/paper/paper_orientation.lua.
   constexpr double kEvidence = 9.39;
   constexpr double kLead = 0.3;
-  return score_ > (score_ == RoomScore::evidence ? kEvidence : kLead);
+  return result_ > (score_ == RoomScore::evidence ? kEvidence : kLead);
 }
 
 }  // namespace reorient

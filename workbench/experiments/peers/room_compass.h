@@ -23,7 +23,7 @@ class RoomCompass : public OrientationCompass {
   void learn(const RoomObservation& view) override;
   void begin() override {
     awareness_.restart();
-    score_ = 0.0;
+    result_ = 0.0;
   }
   double compare(const RoomObservation& view) override;
   std::optional<bool> wants_flip() const override;
@@ -32,7 +32,7 @@ class RoomCompass : public OrientationCompass {
  private:
   RoomAwareness awareness_;
   RoomScore score_;
-  double score_ = 0.0;  // result of the last compare() since begin()
+  double result_ = 0.0;  // result of the last compare() since begin()
 };
 
 }  // namespace reorient
