@@ -120,7 +120,7 @@ void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
   if (room_) room_->restart();
 }
 
-/// Half-time: the axes are the team's, so belief and room get the coordinates of the reflected pose.
+/// Half-time: the axes are the team's, so belief and room get the coordinates of the mirrored pose.
 /// An external localization mirrors its belief itself.
 void FrameLoop::change_sides() {
   carried_.world.change_sides();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decides once for all behaviors whether the confidences can distinguish the believed pose from its reflection, and the
+// Decides once for all behaviors whether the confidences can distinguish the believed from the mirrored pose, and the
 // reason if not.
 #pragma once
 
@@ -33,7 +33,7 @@ void describe(RoomStatusParameters& p, Visit&& visit) {
 /// Returns the first reason that applies in the order of RoomStatus.
 RoomStatus room_status(const World& world, const RoomStatusParameters& parameters);
 
-/// Whether the room can distinguish the believed pose from its reflection: learned, not symmetric, and evaluated.
+/// Whether the room can distinguish the believed from the mirrored pose: learned, not symmetric, and evaluated.
 /// Independent of whether it was seen for long enough (fresh), and of whether both poses are wrong
 /// (lost).
 bool can_tell(RoomStatus status);

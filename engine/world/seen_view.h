@@ -21,7 +21,7 @@ void describe(SeenViewParameters& p, Visit&& visit) {
   visit("share", p.share, 0.5, 1.0, "",
         "smallest fraction of the view filter's weight that must be near one direction of the wall");
   visit("separability", p.separability, 0.5, 1.0, "",
-        "smallest probability that the room distinguishes a pose from its reflection");
+        "smallest probability that the room distinguishes a pose from its mirrored pose");
   visit("deviation", p.deviation, 0.01, 1.0, "rad",
         "smallest standard deviation of the view, since the robot may stand far from where it learned the room");
 }

@@ -18,7 +18,7 @@
 
 namespace reorient {
 
-/// Whether the confidences are valid for the believed pose and its reflection (room_status.h).
+/// Whether the confidences are valid for the believed and the mirrored pose (room_status.h).
 enum class RoomStatus {
   usable,
   off,        ///< this robot has no room awareness
@@ -54,7 +54,7 @@ struct World {
 
   PoseBelief pose;
   double recovery_probability = 0.0;  ///< 0 to 1: how much worse than usual the particles fit the field
-  bool pose_tracked = true;           ///< the observations have fitted the belief or its reflection for seconds
+  bool pose_tracked = true;           ///< the observations have fitted the belief or the mirrored pose for seconds
   std::uint64_t body = 0;             ///< digest_of() it
   CameraBias camera_bias;             ///< estimated errors of the measured angles
   bool pose_known = false;            ///< an initial pose was set, or the filter has found the pose

@@ -45,7 +45,7 @@ class WorldTracker {
   // One frame, in this order. Times in s.
 
   void begin_frame(double time);
-  /// The teams change sides: the believed pose gets the coordinates of the reflected pose.
+  /// The teams change sides: the believed pose gets the coordinates of the mirrored pose.
   void change_sides();
   void take_referee(const RefereeState& referee);
   /// An operator or another program set the pose.

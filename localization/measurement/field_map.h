@@ -17,7 +17,7 @@ namespace reorient {
 
 /// Likelihood fields (Probabilistic Robotics, chapter 6.4), one for each of 16 directions of a line's normal. They
 /// contain the distance to the nearest line, where a line counts as farther the more its direction differs. Only the
-/// quarter x, y >= 0 is stored; the rest is its mirror image. So the map is exactly the same from a reflected pose.
+/// quarter x, y >= 0 is stored; the rest is its mirror image. So the map is exactly the same from a mirrored pose.
 class FieldMap {
  public:
   static constexpr int kDirections = 16;        ///< of a normal, whose sign is unknown

@@ -47,8 +47,8 @@ class ComparedModel {
   double coverage() const { return coverage_; }
   /// Fraction of all tiles that are trusted together with their reflections.
   double paired() const { return paired_; }
-  /// Whether the room distinguishes a pose from its reflection: the mean difference over the tiles that are trusted on
-  /// both sides. It is 0 if there are no such tiles, and if the room looks the same after a rotation by 180 degrees.
+  /// Whether the room distinguishes a pose from its mirrored pose: the mean difference over the tiles that are trusted
+  /// on both sides. It is 0 if there are no such tiles, and if the room looks the same after a rotation by 180 degrees.
   double distinctiveness() const { return distinctiveness_; }
 
  private:

@@ -41,7 +41,7 @@ class Separability {
   /// Rotates the field's axes by 180 degrees.
   void rotate_by_180_degrees();
 
-  /// Probability, 0 to 1, that the room distinguishes a pose from its reflection: that s is above 0.6.
+  /// Probability, 0 to 1, that the room distinguishes a pose from its mirrored pose: that s is above 0.6.
   double probability() const { return probability_; }
   /// Weight of the evidence at this probability: 0 if it is at most one half, 1 if it is 1.
   double weight() const { return probability_ > 0.5 ? 2.0 * probability_ - 1.0 : 0.0; }

@@ -2,8 +2,8 @@
 --- known pose and an unknown room, the room is learned first. The evaluation waits until enough of it is known on both
 --- sides, because only tiles that are known together with their reflections show whether the room is symmetric. It waits
 --- longer if the room seems symmetric, because a room that is wrongly called symmetric would not be learned further. Until
---- then only the initial pose contradicts the reflected pose, so reflected particles are purged. After that, the model is
---- trained only while the room supports the believed pose, because training on a reflected belief would learn the room
+--- then only the initial pose contradicts the mirrored pose, so mirrored particles are purged. After that, the model is
+--- trained only while the room supports the believed pose, because training on a mirrored belief would learn the room
 --- mirrored. If a room that was not symmetric starts to seem symmetric without a disturbance, it is learned further, since
 --- more of it may show a difference. While the robot is disturbed, the camera's pose is unknown, so both pause.
 
@@ -17,7 +17,7 @@ local p = param {
   patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "learning time after which least_paired is enough" },
   least_paired  = { 0.25, range = { 0, 1 },               doc = "fraction of the wall known on both sides that is enough after patience" },
   separability  = { 0.7,  range = { 0, 1 },               doc = "smallest confidence.separability at which learning ends sooner" },
-  lingering     = { 0.05, range = { 0, 1 },               doc = "fraction of reflected pose particles that is purged while learning" },
+  lingering     = { 0.05, range = { 0, 1 },               doc = "fraction of particles near the mirrored pose that is purged while learning" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "waiting time after such a purge" },
   proof         = { 4.6,  range = { -50, 50 },             doc = "smallest log-odds of the believed pose for further training" },
   hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "time for which the log-odds must reach proof" },
@@ -88,7 +88,7 @@ behavior "background_training" {
     state "studying" {
       { "purging",
         when = function() return pose.reflected_weight > p.lingering end,
-        because = "the initial pose was set, so the reflected pose is wrong" },
+        because = "the initial pose was set, so the mirrored pose is wrong" },
     },
 
     state "purging" {

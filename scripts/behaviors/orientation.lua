@@ -1,4 +1,4 @@
---- Decides which of the two symmetric poses is correct. If the room supports the reflection of the believed pose, the
+--- Decides which of the two symmetric poses is correct. If the room supports the mirrored pose, the
 --- belief is flipped. If it supports the believed pose while wrong particles remain, those are purged. After a fall from
 --- which the robot got up, the orientation is reset. confidence.status shows whether the confidences are valid. lib.decision
 --- sets the threshold: lower for an unconfirmed pose, so that the belief of a placed robot is soon correct, and higher for a
@@ -11,7 +11,7 @@ local decision = require "lib.decision"
 local p = param {
   hold_time  = { 0.2,  range = { 0, 10 }, unit = "s", doc = "time for which the evidence must exceed the threshold" },
   min_time   = { 3.0,  range = { 0, 30 }, unit = "s", doc = "waiting time after a command until its effect shows" },
-  lingering  = { 0.1,  range = { 0, 1 },              doc = "fraction of reflected pose particles that causes a purge" },
+  lingering  = { 0.1,  range = { 0, 1 },              doc = "fraction of particles near the mirrored pose that causes a purge" },
   settling   = { 5.0,  range = { 0, 60 }, unit = "s", doc = "time after the first known tiles in which lines may correct the belief" },
   taken_back = { 0.05, range = { 0, 1 },              doc = "largest relative decrease of the evidence during settling" },
 }
@@ -62,12 +62,12 @@ behavior "orientation" {
     initial = "unconfirmed",
     { "purging",
       when = function() return believed_pose_won() and is_purge_due() end,
-      lasting = "hold_time", because = "the believed pose won while reflected beliefs may linger" },
+      lasting = "hold_time", because = "the believed pose won while mirrored beliefs may linger" },
 
     state "unconfirmed" {
       { "correcting",
         when = reflected_pose_won,
-        lasting = "hold_time", because = "the reflected pose won" },
+        lasting = "hold_time", because = "the mirrored pose won" },
       { "confirmed", when = believed_pose_won, lasting = "hold_time", because = "the believed pose won" },
     },
 
@@ -75,7 +75,7 @@ behavior "orientation" {
       enter = function() memory.age_when_confirmed = confidence.age end,
       { "correcting",
         when = function() return may_decide() and confidence.evidence > decision.confirmed_threshold() end,
-        lasting = "hold_time", because = "the reflected pose won" },
+        lasting = "hold_time", because = "the mirrored pose won" },
       { "unconfirmed",
         when = function() return confidence.age < memory.age_when_confirmed end,
         because = "earlier views are not valid any more" },
@@ -104,7 +104,7 @@ behavior "orientation" {
     -- The evidence may change: a purge on the first views must not delay a flip.
     { "correcting",
       when = reflected_pose_won,
-      lasting = "hold_time", because = "the reflected pose won after a purge" },
+      lasting = "hold_time", because = "the mirrored pose won after a purge" },
     { "watching", after = "min_time" },
   },
 

@@ -77,7 +77,7 @@ scenario "mirrored_placement" {
     state "wrong" {
       enter = function()
         ground_truth.note("arrived")
-        verdict.fail("the robot believes its reflected pose and stands on the wrong mark")
+        verdict.fail("the robot believes its mirrored pose and stands on the wrong mark")
       end,
     },
   },

@@ -86,7 +86,7 @@ test("a room whose model was discarded is learned again", function()
   expect.lease("pause_evaluation")
 end)
 
-test("while it learns with a set initial pose, it purges reflected beliefs", function()
+test("while it learns with a set initial pose, it purges mirrored beliefs", function()
   start()
   set_world { training = { seconds = 5 }, pose = { reflected_weight = 0.02 } }
   advance(1)

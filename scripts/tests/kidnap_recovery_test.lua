@@ -113,7 +113,7 @@ test("resets the orientation once when neither pose wins, and searches again", f
   expect.state("kidnap_recovery", "recovered")
 end)
 
-test("does not reset while the room supports the reflected pose, because orientation will flip it", function()
+test("does not reset while the room supports the mirrored pose, because orientation will flip it", function()
   put_down()
   set_world { confidence = { evidence = 9 } }
   advance(60)

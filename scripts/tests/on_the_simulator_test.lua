@@ -12,7 +12,7 @@ end)
 
 test("the same robot without room awareness never notices", function()
   local is_right = simulate { scenario = "mirrored_placement", seed = 1, room_awareness = false }
-  expect.verdict(false, "believes its reflected pose")
+  expect.verdict(false, "believes its mirrored pose")
   expect.no_command("flip_pose")
   expect.equal(is_right, false)
 end)

@@ -14,14 +14,14 @@ test("watches first", function()
   expect.no_command()
 end)
 
-test("flips once when the reflected pose wins", function()
+test("flips once when the mirrored pose wins", function()
   learned_room()
   set_world { confidence = { evidence = 8.5 } }
   advance(0.15)
   expect.no_command()
   advance(0.1)
   expect.state("orientation", "correcting")
-  expect.reason("orientation", "the reflected pose won")
+  expect.reason("orientation", "the mirrored pose won")
   expect.command("flip_pose", "granted")
   advance(2.0)
   expect.no_command()
@@ -124,12 +124,12 @@ test("does not flip in a room that is symmetric as far as it was seen", function
   expect.command("flip_pose")
 end)
 
-test("purges when the current pose wins while reflected beliefs linger", function()
+test("purges when the current pose wins while mirrored beliefs linger", function()
   learned_room()
   set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.3 } }
   advance(0.7)
   expect.command("purge_reflection", "granted")
-  expect.reason("orientation", "the believed pose won while reflected beliefs may linger")
+  expect.reason("orientation", "the believed pose won while mirrored beliefs may linger")
 end)
 
 test("flips at once after a purge if the evidence changes", function()
@@ -140,10 +140,10 @@ test("flips at once after a purge if the evidence changes", function()
   set_world { confidence = { evidence = 9 }, pose = { reflected_weight = 0 } }
   advance(0.3)
   expect.command("flip_pose", "granted")
-  expect.reason("orientation", "the reflected pose won after a purge")
+  expect.reason("orientation", "the mirrored pose won after a purge")
 end)
 
-test("does not purge if hardly any reflected belief is left", function()
+test("does not purge if hardly any mirrored belief is left", function()
   learned_room()
   set_world { confidence = { evidence = -9 }, pose = { reflected_weight = 0.02 } }
   advance(5)
@@ -291,7 +291,7 @@ test("watches as soon as it stands again, and decides only after new views", fun
   expect.no_command()
 end)
 
-test("purges once after a flip that was confirmed, even with few reflected beliefs", function()
+test("purges once after a flip that was confirmed, even with few mirrored beliefs", function()
   learned_room()
   set_world { confidence = { evidence = 10 } }
   advance(0.7)

@@ -7,12 +7,12 @@ local function start(behavior)
   advance(0.1)
 end
 
-test("the paper's orientation flips at once when the reflected pose wins, in any room", function()
+test("the paper's orientation flips at once when the mirrored pose wins, in any room", function()
   start "paper_orientation"
   set_world { confidence = { opposite = 0.4 } }
   advance(0.1)
   expect.command("flip_pose", "granted")
-  expect.reason("paper_orientation", "the reflected pose wins")
+  expect.reason("paper_orientation", "the mirrored pose wins")
 end)
 
 test("the paper's orientation purges whenever the current pose wins", function()

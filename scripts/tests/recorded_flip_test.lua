@@ -13,7 +13,7 @@ test("flips its belief half a second after its feet touched the ground", functio
 
   advance_to(43.43)
   expect.command("flip_pose", "granted")
-  expect.reason("orientation", "the reflected pose won")
+  expect.reason("orientation", "the mirrored pose won")
 
   advance_to(43.90)
   expect.state("orientation", "correcting")

@@ -99,7 +99,7 @@ TEST(PoseFilter, FlipsParticlesAndBeliefWithinTheCall) {
   filter.flip_pose();
   EXPECT_TRUE(near(filter.belief().pose, reflect(start)));
   EXPECT_EQ(filter.belief().cluster_weight, before.cluster_weight);
-  // A new search in the reflected particles finds the same belief.
+  // A new search in the mirrored particles finds the same belief.
   PoseClusters clusters{FieldDimensions()};
   const PoseBelief found = clusters.find(filter.particles(), filter.belief(), {});
   EXPECT_TRUE(found.covariance.isApprox(filter.belief().covariance, 1e-3));

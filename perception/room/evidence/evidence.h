@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evidence of the room for the reflection of the believed pose against that pose, as log-odds.
+// Evidence of the room for the mirrored pose against that pose, as log-odds.
 #pragma once
 
 #include <span>

@@ -23,9 +23,10 @@ struct Confidences {
   double coverage = 0.0;         ///< fraction of the wall's tiles that are trained well enough for comparisons
   double paired = 0.0;           ///< the same for tiles together with their reflections
   double distinctiveness = 0.0;  ///< difference between the model and its rotation by 180 degrees; 0: no difference
-  double separability = 1.0;  ///< probability that the room distinguishes a pose from its reflection (separability.h)
-  double evidence = 0.0;      ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
-  double age = 0.0;           ///< s of views of known tiles since the confidences restarted
+  double separability =
+      1.0;                ///< probability that the room distinguishes a pose from its mirrored pose (separability.h)
+  double evidence = 0.0;  ///< log-odds for the opposite pose against the current one (evidence/evidence.h)
+  double age = 0.0;       ///< s of views of known tiles since the confidences restarted
   double smoothed_for = 0.0;  ///< s of those views in the smoothed values
   int visible_tiles = 0;      ///< tiles that counted in this frame
 };

@@ -19,7 +19,7 @@ behavior "paper_orientation" {
   },
 
   state "watching" {
-    { "flipping", when = function() return lead() < -p.lead end, because = "the reflected pose wins" },
+    { "flipping", when = function() return lead() < -p.lead end, because = "the mirrored pose wins" },
     { "purging", when = function() return lead() > p.lead end, because = "the current pose wins" },
   },
 

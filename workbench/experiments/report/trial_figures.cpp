@@ -110,7 +110,7 @@ void draw_confidences(Markup& out, const Report& report) {
     int failed = 0;
     for (const std::size_t cell : series.cells) failed += report.cells[cell].row.failed;
     const Element figure(out, "figure", {{"class", "trials"}});
-    draw_legend(out, {{"confidence in the believed pose", "s0", {}}, {"in its reflection", "s1", {}}}, true);
+    draw_legend(out, {{"confidence in the believed pose", "s0", {}}, {"in the mirrored pose", "s1", {}}}, true);
     {
       const Element panels(out, "div", {{"class", "panels"}});
       for (const ShownTrial& trial : shown) draw_trial(out, report, trial);
