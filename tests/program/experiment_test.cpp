@@ -179,7 +179,7 @@ TEST_F(ExperimentTest, ReportsAFullDisk) {
 }
 
 /// REORIENT_INTERRUPTIONS=100 sets the number of interruptions.
-TEST_F(ExperimentTest, ResumesAfterItWasKilled) {
+TEST_F(ExperimentTest, GoesOnWhereItWasKilled) {
   const char* const wanted = std::getenv("REORIENT_INTERRUPTIONS");
   const int count = wanted == nullptr ? 3 : std::atoi(wanted);
   const std::string all = table("whole");

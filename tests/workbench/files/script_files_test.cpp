@@ -124,7 +124,7 @@ TEST_F(ScriptFilesTest, StayWhileTheirFolderIsMissing) {
   EXPECT_NE(files.texts().find("behaviors/a.lua"), nullptr);
 }
 
-TEST_F(ScriptFilesTest, AreReadAgainIfTheFolderWasReplaced) {
+TEST_F(ScriptFilesTest, AreReadAgainAfterTheFolderIsReplaced) {
   folder_.write("scripts/behaviors/a.lua", "old");
   folder_.write("next/behaviors/a.lua", "new");
   ScriptFiles files(folder_.path() / "scripts");
