@@ -206,7 +206,7 @@ Flushes flushes_in(const std::string& report) {
   return flushes;
 }
 
-TEST_F(RunThatIsRecorded, IsFlushedToTheDiskWithinHalfASecond) {
+TEST_F(RunThatIsRecorded, IsOnTheDiskItselfWithinHalfASecond) {
 #if defined(REORIENT_EMULATOR) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "LD_PRELOAD does not work here";
 #endif
