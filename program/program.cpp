@@ -7,46 +7,20 @@
 #include <filesystem>
 #include <memory>
 #include <ostream>
-#include <span>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
+#include "program/command_line_error.h"
 #include "program/help.h"
 #include "program/subcommand.h"
-#include "workbench/files/home.h"
 
 namespace reorient {
 namespace {
-
-/// A suggestion for an unknown word: an option, a subcommand, or a scenario to run.
-std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
-  const std::vector<std::string> unknown = app.remaining(true);
-  if (unknown.empty()) return {};
-  std::vector<const CLI::App*> asked{&app};
-  while (!asked.back()->get_subcommands().empty()) asked.push_back(asked.back()->get_subcommands().back());
-  std::vector<std::string> known;
-  if (unknown.front().starts_with("-")) {
-    for (const CLI::App* parser : asked) {
-      for (const CLI::Option* option : parser->get_options()) {
-        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-      }
-    }
-    return did_you_mean(unknown.front().substr(0, unknown.front().find('=')), known);
-  }
-  if (asked.size() > 1) return {};
-  std::error_code error;
-  if (std::filesystem::exists(find_home() / "scripts" / "scenarios" / (unknown.front() + ".lua"), error))
-    return " (did you mean 'reorient run " + unknown.front() + "'?)";
-  for (const Subcommand& subcommand : subcommands) known.push_back(subcommand.parser->get_name());
-  return did_you_mean(unknown.front(), known);
-}
 
 /// NO_COLOR: https://no-color.org
 spdlog::color_mode color_mode(const std::string& asked) {
@@ -54,30 +28,6 @@ spdlog::color_mode color_mode(const std::string& asked) {
   const char* const no_color = std::getenv("NO_COLOR");
   const bool is_unwanted = asked == "never" || (no_color != nullptr && *no_color != '\0');
   return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
-}
-
-/// The innermost subcommand on the command line, or the program.
-const CLI::App& asked_of(const CLI::App& app) {
-  const std::vector<CLI::App*> named = app.get_subcommands();
-  return named.empty() ? app : asked_of(*named.back());
-}
-
-/// The description of a missing option, file or subcommand, since its name alone may be unclear.
-std::string meaning_of_missing(const CLI::App& app, const CLI::ParseError& error) {
-  if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return {};
-  for (const CLI::Option* option : asked_of(app).get_options()) {
-    if (std::string(error.what()) == option->get_name() + " is required") return ": " + option->get_description();
-  }
-  std::string names;
-  for (const CLI::App* one : asked_of(app).get_subcommands([](const CLI::App*) { return true; }))
-    names += (names.empty() ? ": " : ", ") + one->get_name();
-  return names;
-}
-
-/// "reorient model compare --help".
-std::string help_of(const CLI::App& app) {
-  const std::vector<CLI::App*> named = app.get_subcommands();
-  return app.get_name() + " " + (named.empty() ? "--help" : help_of(*named.back()));
 }
 
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
@@ -118,11 +68,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   } catch (const CLI::CallForVersion& asked) {
     out << asked.what() << "\n";
     return kSuccess;
-  } catch (const CLI::ExtrasError& error) {
-    err << "reorient: " << as_line(error.what()) << hint(app, subcommands) << " (see " << help_of(app) << ")\n";
-    return kBadInput;
   } catch (const CLI::ParseError& error) {
-    err << "reorient: " << as_line(error.what() + meaning_of_missing(app, error)) << " (see " << help_of(app) << ")\n";
+    err << "reorient: " << as_line(text_of(error, app, subcommands)) << "\n";
     return kBadInput;
   }
   spdlog::set_default_logger(std::make_shared<spdlog::logger>(

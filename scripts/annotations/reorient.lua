@@ -58,36 +58,36 @@ robot = {}
 ---@field y number m, position to the left
 ---@field rotation number rad, direction: 0 toward the opponents' goal, positive to the left
 ---@field known boolean whether an initial pose was set, or a flip or purge has confirmed the pose; false after a reset
----@field tracked boolean whether the observed field has fitted the believed pose or its reflection for some seconds; false while the robot searches for its position
+---@field tracked boolean whether the observed field has fitted the believed pose or the mirrored pose for some seconds; false while the robot searches for its position
 ---@field cluster_weight number fraction of the pose particles' weight in the believed cluster
----@field reflected_weight number fraction of the pose particles' weight near the reflection of the believed pose
----@field recovery_probability number how much worse than usual the pose particles fit the observed field: 0: as usual, 1: not at all
+---@field reflected_weight number fraction of the pose particles' weight near the mirrored pose
+---@field recovery_probability number how much worse than usual the pose particles fit the observed field, from 0 (as usual) to 1 (not at all)
 pose = {}
 
 ---Results of room awareness for the believed pose, from 0 to 1 unless a unit is given.
 ---@class reorient.confidence
 ---@field current number smoothed confidence in the believed pose
----@field opposite number smoothed confidence in the reflection of the believed pose
----@field evidence number log-odds, evidence of the room for the reflection of the believed pose: 4.6 means 99 in 100, 0 means undecided, negative values support the believed pose
+---@field opposite number smoothed confidence in the mirrored pose
+---@field evidence number log-odds, evidence of the room for the mirrored pose: 4.6 means 99 in 100, 0 means undecided, negative values support the believed pose
 ---@field raw_current number confidence in the believed pose from this frame alone
----@field raw_opposite number confidence in the reflection from this frame alone
+---@field raw_opposite number confidence in the mirrored pose from this frame alone
 ---@field goal_opponent number confidence that the robot looks at the wall behind the opponents' goal
 ---@field goal_own number confidence that the robot looks at the wall behind its own goal
 ---@field coverage number fraction of the wall whose tiles are trained enough for the comparison
 ---@field paired number fraction of the wall that is trained enough together with the mirrored tiles on the opposite side
 ---@field distinctiveness number how much the room differs from itself rotated by 180 degrees; 0: no difference
----@field separability number probability that the room distinguishes a pose from its reflection; below 0.5 (room_status.separability) it counts as symmetric
+---@field separability number probability that the room distinguishes a pose from its mirrored pose; below 0.5 (room_status.separability) the room counts as symmetric
 ---@field asymmetry number former name of confidence.separability
 ---@field age number s, time for which known tiles were in view since the confidences restarted: after a lift, a fall, a penalty, a set pose, a flip or a jump of the belief
----@field status "usable"|"off"|"resting"|"unlearned"|"symmetric"|"lost"|"fresh" whether the confidences are valid for the believed pose; if not, why not
----@field can_tell boolean whether the room can distinguish the believed pose from its reflection: learned, not symmetric, and evaluated; true while confidence.status is usable, lost or fresh
+---@field status "usable"|"off"|"resting"|"unlearned"|"symmetric"|"lost"|"fresh" whether the confidences are valid for the believed pose, or the reason why not
+---@field can_tell boolean whether the room can distinguish the believed pose from the mirrored pose: learned, not symmetric, evaluated; true while confidence.status is usable, lost or fresh
 ---@field visible_tiles number number of tiles of the wall that were used in this frame
 confidence = {}
 
----Useful head directions while the body does not turn.
+---Head directions with the most information while the body does not turn.
 ---@class reorient.views
----@field best_yaw number rad, yaw of the head at which the room differs most from its reflection
----@field best_score number tiles, difference of the room from its reflection at best_yaw, in fully counted tiles; 0: no tile is in reach
+---@field best_yaw number rad, yaw of the head at which the room differs most from itself rotated by 180 degrees
+---@field best_score number tiles, difference of the room from itself rotated by 180 degrees at best_yaw, in fully counted tiles; 0: no tile is in reach
 ---@field unknown_yaw number rad, yaw of the head at which most tiles are not learned yet
 ---@field unknown_score number tiles, number of tiles at unknown_yaw that are not learned yet
 ---@field telling number rad, former name of views.best_yaw
@@ -141,10 +141,10 @@ truth = {}
 
 command = {}
 
----Requests that the belief be replaced with its reflection in this frame.
+---Requests that the mirrored pose replace the believed pose in this frame.
 function command.flip_pose() end
 
----Requests that the particles near the reflected pose be removed in this frame.
+---Requests that the particles near the mirrored pose be removed in this frame.
 function command.purge_reflection() end
 
 ---Requests in this frame that the orientation become unknown; the position does not change.
@@ -158,7 +158,7 @@ function command.pause_evaluation() end
 
 head = {}
 
----Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Lasts one frame.
+---Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Valid for one frame.
 ---@param yaw number
 ---@param pitch number
 ---@param speed? number
@@ -166,23 +166,23 @@ function head.look(yaw, pitch, speed) end
 
 walk = {}
 
----Walks with this velocity (m/s, m/s, rad/s to the left). Lasts one frame.
+---Walks with this velocity (m/s, m/s, rad/s to the left). Valid for one frame.
 ---@param forward number
 ---@param left number
 ---@param turn number
 function walk.velocity(forward, left, turn) end
 
----Stands still; counts as a walk request. Lasts one frame.
+---Stands still; counts as a walk request. Valid for one frame.
 function walk.stand() end
 
 motion = {}
 
----Gets up after a fall. Lasts one frame.
+---Gets up after a fall. Valid for one frame.
 function motion.get_up() end
 
 team = {}
 
----Number of messages from teammates in this frame.
+---Number of messages received from teammates in this frame.
 ---@return integer
 function team.heard() end
 
@@ -287,7 +287,7 @@ function verdict.fail(text) end
 experimenter = operator
 
 do
----How much evidence is needed for a decision, computed from the permitted number of errors. Evidence is given in log-odds: at 99 in 100 it is wrong once in a hundred chances to be wrong. So the permitted rate of errors determines the threshold. All behaviors share it.
+---Computes the threshold of the evidence from the permitted rate of wrong decisions. Evidence is given in log-odds: a decision at 99 in 100 is wrong once in a hundred evaluations. All behaviors use the same threshold.
 ---@class lib.decision
 local library = {}
 
@@ -298,6 +298,10 @@ function library.confirmed_threshold() end
 --- The threshold for an unconfirmed pose, for example after a disturbance.
 ---@return number log_odds
 function library.unconfirmed_threshold() end
+
+library.in_peace = nil
+
+library.in_doubt = nil
 
 --- Whether the evidence for the believed pose reaches the threshold.
 ---@return boolean
@@ -332,7 +336,7 @@ function library.at(x, y) end
 end
 
 do
----Measures the error of the belief, for scenarios: only they can read the truth.
+---Measures the error of the belief, for scenarios, because only scenarios can read the truth.
 ---@class lib.ground_truth
 local library = {}
 
@@ -387,7 +391,7 @@ function library.normalize(angle) end
 ---@param x number m
 ---@param y number m
 ---@return number distance m
----@return number bearing rad, to the left of where the robot looks
+---@return number bearing rad, positive to the left of straight ahead
 function library.distance_and_bearing(x, y) end
 
 --- Whether the robot believes that it stands near a point.
@@ -409,33 +413,33 @@ function library.walk_to(x, y, rotation) end
 function library.turn(speed) end
 end
 
----Declares parameters: default, range, unit, description. `{ true, doc = ... }` is a switch, `{ "slow", choices = { "slow", "fast" }, doc = ... }` a choice, `integer = true` permits only whole numbers. The result is a read-only table of the current values. The full name is the file's name, a dot, and the name.
+---Declares parameters with default, range, unit and description. `{ true, doc = ... }` is a switch, `{ "slow", choices = { "slow", "fast" }, doc = ... }` is a choice, and `integer = true` permits only whole numbers. Returns a read-only table of the current values. The full name of a parameter is the name of the file, a dot, and its name.
 ---@param declarations table<string, table>
 ---@return table<string, any> values
 function param(declarations) end
 
----A table of plain values that survives a reload, including removals; values that a new version adds start as declared. Local variables do not survive.
+---Declares a table of numbers, texts and booleans that survives a reload of the script. Removed values stay removed, and values that a new version adds start as declared. Local variables do not survive.
 ---@generic T: table
 ---@param defaults T
 ---@return T memory
 function keep(defaults) end
 
----Declares a state machine. `priority`: the greater wins a conflict of requests, and of equal ones the behavior that was loaded first. `initial`: the first state. `common`: transitions from any state, not taken while their target is active.
+---Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with equal priorities, the one that was loaded first. `initial`: the first state. `common`: transitions from any state, not taken while their target is active.
 ---@param name string
 ---@return fun(body: reorient.State)
 function behavior(name) end
 
----Declares a state: what to do on entering it, in every frame, and on leaving it; its transitions; states within it, then also `initial`, `common`, and `history = true` to resume the inner state that was active last. `publishes = "name"`: flag that other scripts read as `published.name`.
+---Declares a state. `enter`, `update` and `exit`: functions that run when the state is entered, in every frame, and when it is left. It contains transitions and inner states. A state with inner states may also have `initial`, `common`, and `history = true`, which resumes the inner state that was active last. `publishes = "name"`: a flag that other scripts read as `published.name`.
 ---@param name string
 ---@return fun(body: reorient.State): table
 function state(name) end
 
----Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the field. `behaviors`: scripts to load. `room = "rooms/lab.hdr"` (a panorama, from the scripts' root, or the name of one in assets/rooms) or `hall_seed = 3`, and `field` likewise: the setting, unless the command line sets it. Only scenarios have `truth`, `operator` and `verdict`; they cannot move the robot. They run after each frame.
+---Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the field and runs after each frame. `behaviors`: scripts to load. `room = "rooms/lab.hdr"` or `hall_seed = 3`, and `field`: the setting, unless the command line sets it. `room` is the path of a panorama from the scripts' root, or the name of one in assets/rooms; `field` likewise. Only scenarios have `truth`, `operator` and `verdict`. They cannot move the robot.
 ---@param name string
 ---@return fun(body: reorient.State)
 function scenario(name) end
 
----The value that the file lib/walk.lua below the scripts' root returns. Only at the top of a script.
+---Returns the value that the file lib/walk.lua below the scripts' root returns. Allowed only at the top level of a script.
 ---@overload fun(module: "lib.decision"): lib.decision
 ---@overload fun(module: "lib.gaze"): lib.gaze
 ---@overload fun(module: "lib.ground_truth"): lib.ground_truth
@@ -485,7 +489,7 @@ function print(...) end
 
 expect = {}
 
----Declares a test. Its file runs again for it in a new sandbox, with its own world, clock and scripts. It may take 60 s (`--timeout`) and 36 000 s of the robot's time, the tests of a file ten times that.
+---Declares a test. The file runs again for each test in a new sandbox, with its own world, clock and scripts. A test is limited to 60 s (`--timeout`) and to 36 000 s of the robot's time, all tests of a file together to ten times that.
 ---@param name string
 ---@param run fun()
 function test(name, run) end
@@ -502,7 +506,7 @@ function load_scenario(scenario) end
 ---@param world reorient.World
 function set_world(world) end
 
----Changes a parameter as a user does live. One of a script that is loaded later waits for it; one that nothing in the test declares is a failure.
+---Changes a parameter as a user does during a run. The parameter of a script that is loaded later is set when the script is loaded. The test fails if none of its scripts declares the parameter.
 ---@param name reorient.ParameterName
 ---@param value string
 function set_param(name, value) end
@@ -512,20 +516,20 @@ function set_param(name, value) end
 ---@param text string
 function hear(sender, text) end
 
----Lets this many seconds pass, 30 frames each; at least one frame.
+---Runs the frames of this time, in seconds, at 30 frames per second; at least one frame.
 ---@param seconds number
 function advance(seconds) end
 
----Edits a text of a script (the one that was loaded last, where no file is named) and reloads it.
+---Replaces a text in a script and reloads it. Without `file`, edits the script that was loaded last.
 ---@param edit { from: string, to: string, file: string? }
 function reload(edit) end
 
----Runs a whole scenario on the simulator and returns whether the belief was right at its end; expectations after it apply to the whole run. Also takes `with`, a list of more behaviors, `width` of the image (160, 320, 544, 640), `seconds` at most, `room_awareness`, and `room`, `hall_seed`, `field` as a scenario does. Skipped unless `reorient test --simulator`.
+---Runs a whole scenario on the simulator and returns whether the belief is correct at its end. Later expectations apply to the whole run. Optional: `with` (a list of additional behaviors), `width` of the image (160, 320, 544 or 640 pixels), `seconds` (the longest run), `room_awareness`, and `room`, `hall_seed` and `field` as in a scenario. The test is skipped without `reorient test --simulator`.
 ---@param run { scenario: reorient.ScenarioScript, with: string[]?, seed: integer?, width: integer?, seconds: number?, room_awareness: boolean?, room: string?, hall_seed: integer?, field: string?, params: table<string, any>? }
 ---@return boolean is_correct
 function simulate(run) end
 
----Plays a recording (path from the tests' folder), with the current scripts instead of those that were recorded, instead of a fake world: its first frame, then `advance` and `advance_to` go on in it; `set_param`, `reload` and `hear` affect its next frame. The recorded views do not change: once the robot acts differently, it is a guess.
+---Loads a recording (path from the tests' folder) instead of a fake world and runs its first frame with the current scripts instead of the recorded ones. `advance` and `advance_to` continue it; `set_param`, `reload` and `hear` affect its next frame. The recorded views do not change, so the result is only an estimate once the robot acts differently.
 ---@param file string
 function replay(file) end
 
@@ -533,12 +537,12 @@ function replay(file) end
 ---@param time number
 function advance_to(time) end
 
----A value of the world as behaviors read it in this frame.
+---Returns a value of the world as behaviors read it in this frame.
 ---@param name string
 ---@return number|string|boolean value
 function world_value(name) end
 
----In all frames of the replay so far the robot acted as it was recorded: commands, head, walk, words.
+---In all frames of the replay so far, the robot did what was recorded: commands, head, walking, messages.
 function expect.as_recorded() end
 
 ---The machine is in this state (path).
@@ -551,69 +555,69 @@ function expect.state(machine, path) end
 ---@param text string
 function expect.reason(machine, text) end
 
----The command was issued during the last `advance`, with this verdict if one is named (granted, outranked, too_soon, not_allowed).
+---The command was issued during the last `advance`, with this verdict if it is given (granted, outranked, too_soon, not_allowed).
 ---@param name reorient.CommandName
 ---@param verdict? reorient.Verdict
 function expect.command(name, verdict) end
 
----The command, or any reorientation, was not issued during the last `advance`.
+---The command, or without a name any reorientation, was not issued during the last `advance`.
 ---@param name? reorient.CommandName
 function expect.no_command(name) end
 
----Some state holds this pause now.
+---A state holds a lease on this pause now.
 ---@param name reorient.PauseName
 function expect.lease(name) end
 
----No state holds this pause now.
+---No state holds a lease on this pause now.
 ---@param name reorient.PauseName
 function expect.no_lease(name) end
 
----The head is asked to turn there (yaw, pitch, rad).
+---The requested angles of the head (yaw, pitch in rad).
 ---@param yaw number
 ---@param pitch number
 function expect.head(yaw, pitch) end
 
----The robot is asked to walk so (m/s, m/s, rad/s).
+---The requested walking velocity (m/s, m/s, rad/s).
 ---@param forward number
 ---@param left number
 ---@param turn number
 function expect.walk(forward, left, turn) end
 
----The robot is asked, or is not asked, to get up.
----@param wanted boolean
-function expect.get_up(wanted) end
+---Whether a behavior requests that the robot gets up.
+---@param requested boolean
+function expect.get_up(requested) end
 
----A log line of the last `advance` contains this.
+---A log line of the last `advance` contains this text.
 ---@param text string
 function expect.log(text) end
 
----A message to the teammates in the last `advance` contains this.
+---A message to the teammates in the last `advance` contains this text.
 ---@param text string
 function expect.message(text) end
 
----The scenario did this during the last `advance`.
+---The operator of the scenario performed this action during the last `advance`.
 ---@param name reorient.ActionName
 function expect.action(name) end
 
----The scenario's verdict, and a part of its text.
+---The scenario ended with this verdict, whose text contains `text`.
 ---@param succeeded boolean
 ---@param text string
 function expect.verdict(succeeded, text) end
 
----A script failed with this message; without it, a failing script fails the test.
+---A script failed with an error that contains this text. Without this expectation, a failing script fails the test.
 ---@param text string
 function expect.error(text) end
 
----The reload was refused with this message; without it, a refusal fails the test.
+---The last reload was rejected with an error that contains this text. Without this expectation, a rejected reload fails the test.
 ---@param text string
 function expect.refused(text) end
 
----Two values are the same, tables field by field; the first is the actual value.
+---Two values are equal. Tables are compared field by field. The first value is the actual one.
 ---@param actual any
 ---@param expected any
 function expect.equal(actual, expected) end
 
----Two numbers differ by no more than the third.
+---The difference of the first two numbers is at most the third.
 ---@param actual number
 ---@param expected number
 ---@param tolerance number

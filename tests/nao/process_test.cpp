@@ -46,7 +46,7 @@ TEST_F(NaoProcesses, RefuseOptionsThatANaoDoesNotUseWithOneLine) {
       {{"run", "--robot", "nao", "--calibration",
         folder_.write("late.toml", "[footage]\nrecorded_roll = false").string()},
        "ignores values recorded in footage"},
-      {{"calibrate"}, "--at is required"},
+      {{"calibrate"}, "expected --at ("},
       {{"calibrate", "--at", "here"}, "expected X,Y,DEGREES"},
       {{"calibrate", "--at", "0,0,0", "--out", "/nowhere/calibration.toml"}, "--out"},
       {{"calibrate", "--at", "0,0,0", "--width", "160"}, "--width"},

@@ -41,6 +41,12 @@ class BadInput : public ::testing::Test {
     expect_refused(words, parts);
   }
 
+  /// What was expected and what was found, an unknown name, or what the system refuses.
+  static bool has_form(const std::string& error) {
+    const auto has = [&](const char* text) { return error.find(text) != std::string::npos; };
+    return (has("expected ") && has("found ")) || has("unknown ") || has("cannot ");
+  }
+
   void expect_refused(const Words& words, const Words& parts) const {
     const std::set<std::string> before = files();
     const ProgramRun run = run_reorient(words);
@@ -52,6 +58,7 @@ class BadInput : public ::testing::Test {
     EXPECT_TRUE(run.err.starts_with("reorient: "));
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
     EXPECT_TRUE(run.err.ends_with('\n'));
+    EXPECT_TRUE(has_form(run.err));
     for (const std::string& part : parts) EXPECT_NE(run.err.find(part), std::string::npos) << part;
     EXPECT_EQ(files(), before);
   }
@@ -69,20 +76,23 @@ std::string radiance(int width, int height) {
 
 TEST_F(BadInput, ACommandLineWithoutASubcommandIsRefused) { expect_refused({}, {"expected a command"}); }
 
-TEST_F(BadInput, AnUnknownSubcommandIsNamed) { expect_refused({"dance"}, {"dance"}); }
+TEST_F(BadInput, AnUnknownSubcommandIsNamed) { expect_refused({"dance"}, {"unknown command 'dance'"}); }
 
 TEST_F(BadInput, AnUnknownOptionIsNamed) {
-  expect_refused_run({"--rooom", "hall.hdr"}, {"--rooom"});
-  expect_refused({"--loud"}, {"--loud"});
-  expect_refused({"test", "--quickly"}, {"--quickly"});
-  expect_refused({"version", "--long"}, {"--long"});
+  expect_refused_run({"--rooom", "hall.hdr"}, {"unknown option '--rooom' (did you mean '--room'?)"});
+  expect_refused({"--loud"}, {"unknown option '--loud'"});
+  expect_refused({"test", "--quickly"}, {"unknown option '--quickly'"});
+  expect_refused({"version", "--long"}, {"unknown option '--long'"});
 }
 
-TEST_F(BadInput, AnOptionWithoutItsValueIsNamed) { expect_refused({"run", "--room"}, {"--room"}); }
+TEST_F(BadInput, AnOptionWithoutItsValueIsNamed) {
+  expect_refused({"run", "--room"}, {"--room: expected a value (FILE), found none"});
+}
 
 TEST_F(BadInput, AnInvalidValueIsNamedWithItsOption) {
   for (const char* width : {"100", "0", "-320", "wide", "320.5", "99999999999999999999"}) {
-    expect_refused_run({"--width", width}, {"--width", width});
+    expect_refused_run({"--width", width},
+                       {std::string("--width: expected 160, 320, 544 or 640, found '") + width + "'"});
   }
   for (const char* seconds : {"-1", "0", "long", "nan", "inf", "1e9"}) {
     expect_refused_run({"--seconds", seconds},
@@ -93,7 +103,7 @@ TEST_F(BadInput, AnInvalidValueIsNamedWithItsOption) {
                        {"--seed: expected a whole number from 0 to 2^64 - 1, found '" + std::string(seed) + "'"});
     expect_refused_run({"--hall-seed", seed}, {"--hall-seed: expected a whole number from 0 to 2^64 - 1, found"});
   }
-  expect_refused_run({"--log", "loud"}, {"--log", "loud"});
+  expect_refused_run({"--log", "loud"}, {"--log: expected debug, info, warning, error or off, found 'loud'"});
 }
 
 TEST_F(BadInput, ARoomThatIsMissingIsNamed) {
@@ -229,7 +239,7 @@ TEST_F(BadInput, TheMostSimilarWordIsSuggested) {
   expect_refused({"kidnapped"}, {"did you mean 'reorient run kidnapped'?"});
   expect_refused_run({"--hall-sed", "3"}, {"did you mean '--hall-seed'?"});
   expect_refused({"--colr=never"}, {"did you mean '--color'?"});
-  expect_refused_run({"--room", "x.hdr", "--hall-seed", "2"}, {"--room excludes --hall-seed"});
+  expect_refused_run({"--room", "x.hdr", "--hall-seed", "2"}, {"--room and --hall-seed: expected one, found both"});
 }
 
 TEST_F(BadInput, AnEmptyValueDoesNotMeanTheDefault) {
@@ -340,8 +350,9 @@ TEST_F(BadInput, AFileThatIsNotAScriptIsNotCalledMissing) {
 
 TEST_F(BadInput, TheHelpOfTheUsedCommandIsNamed) {
   expect_refused({}, {"calibrate", "replay", "recording", "record-test"});
-  expect_refused({"model", "compare", "a.model"},
-                 {"second is required: second model, with the same wall (see reorient model compare --help)"});
+  expect_refused(
+      {"model", "compare", "a.model"},
+      {"expected second (second model, with the same wall), found none (see reorient model compare --help)"});
   expect_refused_run({"--set", "nosuch=1"}, {"'reorient params' lists all"});
 }
 

@@ -443,7 +443,7 @@ TEST_F(RunThatIsRecorded, RefusesInvalidOptionsWithOneLine) {
       {{"replay", file("run.mcap"), "--set", "orientation.hold_tme=2"}, "orientation.hold_tme"},
       {{"replay", file("run.mcap"), "--scripts", "/nowhere"}, "/nowhere"},
       {{"recording", "info", text}, "name a recording"},
-      {{"recording", "cut", file("run.mcap")}, "--out is required"},
+      {{"recording", "cut", file("run.mcap")}, "expected --out ("},
       {{"recording", "recover", file("run.mcap"), "--out", file("run.mcap")},
        "the recording and --out: expected two files, found the same one"},
       {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", file("run.mcap")},
@@ -456,8 +456,8 @@ TEST_F(RunThatIsRecorded, RefusesInvalidOptionsWithOneLine) {
        "--record-rotate: expected a size or a time, as in 500MB, 2GB, 90s or 10min, found '-5min'"},
       {{"recording", "export", file("run.mcap"), "--csv", "everything"}, "--csv"},
       {{"recording", "export", file("run.mcap"), "--csv", "world", "--out", "/nowhere/x.csv"}, "--out"},
-      {{"recording", "pictures", file("run.mcap")}, "--at is required"},
-      {{"recording", "look"}, "A subcommand is required"},
+      {{"recording", "pictures", file("run.mcap")}, "expected --at ("},
+      {{"recording", "look"}, "expected a command: "},
   };
   for (const auto& [words, why] : mistakes) {
     const ProgramRun run = run_reorient(words);

@@ -72,7 +72,7 @@ TEST_P(ShippedExperiment, ReachesTheStateFromWhichItIsMeasured) {
     // A penalized robot returns beside the field, which is rarely the place where it was removed.
     const bool is_carried =
         event == "mirrored_placement" || event == "kidnapped" || event == "penalized" || event == "elsewhere";
-    EXPECT_EQ(result.kidnapped, is_carried) << event;
+    EXPECT_EQ(result.displaced, is_carried) << event;
     if (event == "none" || event == "mirrored_placement" || event == "misled") {
       EXPECT_EQ(result.correct_at_start, event == "none");
     }

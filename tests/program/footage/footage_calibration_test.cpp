@@ -97,7 +97,7 @@ TEST_F(FootageCalibration, IsRefusedInOneLine) {
   write_offset_footage(source(), {.images = 3, .width = 160, .offset = {}});
   const std::pair<Words, const char*> cases[] = {
       {{}, "expected at least 8 images, found 3"},
-      {{"--at", "0,0,0"}, "--at excludes --footage"},
+      {{"--at", "0,0,0"}, "--at and --footage: expected one, found both"},
       {{"--by", "stars"}, "--by"},
       {{"--fov-degrees", "1"}, "--fov-degrees"},
   };
@@ -107,7 +107,7 @@ TEST_F(FootageCalibration, IsRefusedInOneLine) {
     EXPECT_NE(refused.err.find(what), std::string::npos) << refused.err << "\nexpected: " << what;
   }
   const ProgramRun missing = run_reorient({"calibrate", "--by", "lines", "--at", "0,0,0"});
-  EXPECT_NE(missing.err.find("--by requires --footage"), std::string::npos) << missing.err;
+  EXPECT_NE(missing.err.find("--by: expected with --footage, found without"), std::string::npos) << missing.err;
   const ProgramRun unknown =
       run_reorient({"run", "--robot", "footage", source(), "--camera-offset", file("missing.toml")});
   EXPECT_EQ(unknown.code, kBadInput);
