@@ -17,8 +17,8 @@ namespace reorient {
 /// The innermost subcommand on the command line, or the program.
 const CLI::App& asked_of(const CLI::App& app);
 
-/// One line, such as "--width: expected 160, 320 or 640, found '3' (see reorient run --help)". Suggests the nearest known
-/// word for an unknown one. `subcommands`: those of the program.
+/// One line, such as "--width: expected 160, 320 or 640, found '3' (see reorient run --help)". Suggests the nearest
+/// known word for an unknown one. `subcommands`: those of the program.
 std::string text_of(const CLI::ParseError& error, const CLI::App& app, std::span<const Subcommand> subcommands);
 
 }  // namespace reorient

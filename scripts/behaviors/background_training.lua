@@ -17,7 +17,7 @@ local p = param {
   patience      = { 14.0, range = { 0, 600 }, unit = "s", doc = "learning time after which least_paired is enough" },
   least_paired  = { 0.25, range = { 0, 1 },               doc = "fraction of the wall known on both sides that is enough after patience" },
   separability  = { 0.7,  range = { 0, 1 },               doc = "smallest confidence.separability at which learning ends sooner" },
-  lingering     = { 0.05, range = { 0, 1 },               doc = "fraction of particles near the mirrored pose that is purged while learning" },
+  lingering     = { 0.05, range = { 0, 1 },               doc = "fraction of mirrored particles that is purged while learning" },
   purge_pause   = { 3.0,  range = { 0, 30 },  unit = "s", doc = "waiting time after such a purge" },
   proof         = { 4.6,  range = { -50, 50 },             doc = "smallest log-odds of the believed pose for further training" },
   hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "time for which the log-odds must reach proof" },

@@ -154,8 +154,9 @@ TEST_F(CommandsTest, NewNeverOverwritesAndAcceptsOnlyPlainNames) {
 TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
   const ProgramRun listed = run({"params", "orientation.", "--set", "orientation.lingering=0.3"});
   EXPECT_EQ(listed.code, kSuccess) << listed.err;
-  EXPECT_NE(listed.out.find("  0.3  command line  0 to 1: fraction of particles near the mirrored pose that causes a purge"),
-            std::string::npos)
+  EXPECT_NE(
+      listed.out.find("  0.3  command line  0 to 1: fraction of particles near the mirrored pose that causes a purge"),
+      std::string::npos)
       << listed.out;
   EXPECT_NE(listed.out.find("  0.2  default       0 to 10 s: time for which the evidence must exceed the threshold"),
             std::string::npos)
