@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Functions that declare the modules ("rooms" in the names), tests and benchmarks of this project. The sources of a module
-# can include only the headers of the modules that it links, and targets that link it do not inherit its flags.
+# Functions that declare the modules, tests and benchmarks of this project. The sources of a module can include only the
+# headers of the modules that it links, and targets that link it do not inherit its flags.
 
 set(REORIENT_WARNINGS
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wundef -Wcast-align -Werror)
@@ -59,39 +59,39 @@ function(reorient_embed variable)
   set(${variable} "${rows}" PARENT_SCOPE)
 endfunction()
 
-# reorient_add_room(NAME [SOURCES file...] [HEADERS file...] [WITHOUT folder...] [PUBLIC target...] [PRIVATE target...])
+# reorient_add_module(NAME [SOURCES file...] [HEADERS file...] [WITHOUT folder...] [PUBLIC target...] [PRIVATE target...])
 # One module as a static library (without sources: only headers). Its headers are those below the current folder, except
 # for the subfolders WITHOUT, which are separate modules; or only HEADERS. PUBLIC: modules that its headers include;
 # PRIVATE: modules that only its sources include.
-function(reorient_add_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;WITHOUT;PUBLIC;PRIVATE" ${ARGN})
+function(reorient_add_module name)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;HEADERS;WITHOUT;PUBLIC;PRIVATE" ${ARGN})
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-  if(ROOM_HEADERS)
-    list(TRANSFORM ROOM_HEADERS PREPEND "${folder}/")
+  if(MODULE_HEADERS)
+    list(TRANSFORM MODULE_HEADERS PREPEND "${folder}/")
   else()
-    file(GLOB_RECURSE ROOM_HEADERS RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS "*.h")
-    foreach(other ${ROOM_WITHOUT})
-      list(FILTER ROOM_HEADERS EXCLUDE REGEX "^${folder}/${other}(/|$)")
+    file(GLOB_RECURSE MODULE_HEADERS RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS "*.h")
+    foreach(other ${MODULE_WITHOUT})
+      list(FILTER MODULE_HEADERS EXCLUDE REGEX "^${folder}/${other}(/|$)")
     endforeach()
   endif()
-  if(ROOM_SOURCES)
-    reorient_unity_sources(ROOM_SOURCES ${name} ${ROOM_SOURCES})
-    add_library(${name} STATIC ${ROOM_SOURCES})
+  if(MODULE_SOURCES)
+    reorient_unity_sources(MODULE_SOURCES ${name} ${MODULE_SOURCES})
+    add_library(${name} STATIC ${MODULE_SOURCES})
     set_target_properties(${name} PROPERTIES OUTPUT_NAME reorient_${name})
     target_compile_options(${name} PRIVATE ${REORIENT_WARNINGS} ${REORIENT_ARCHITECTURE} ${REORIENT_UNITY_FLAGS})
     target_compile_features(${name} PUBLIC cxx_std_20)
-    target_link_libraries(${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
-    reorient_include_root(${name} PUBLIC ${ROOM_HEADERS})
+    target_link_libraries(${name} PUBLIC ${MODULE_PUBLIC} PRIVATE ${MODULE_PRIVATE})
+    reorient_include_root(${name} PUBLIC ${MODULE_HEADERS})
   else()
     add_library(${name} INTERFACE)
     target_compile_features(${name} INTERFACE cxx_std_20)
-    target_link_libraries(${name} INTERFACE ${ROOM_PUBLIC})
-    reorient_include_root(${name} INTERFACE ${ROOM_HEADERS})
+    target_link_libraries(${name} INTERFACE ${MODULE_PUBLIC})
+    reorient_include_root(${name} INTERFACE ${MODULE_HEADERS})
   endif()
   # For cmake/installation.cmake.
-  set_property(GLOBAL APPEND PROPERTY REORIENT_ROOMS ${name})
+  set_property(GLOBAL APPEND PROPERTY REORIENT_MODULES ${name})
   set_target_properties(${name} PROPERTIES
-    REORIENT_HEADERS "${ROOM_HEADERS}" REORIENT_LINKS "${ROOM_PUBLIC};${ROOM_PRIVATE}")
+    REORIENT_HEADERS "${MODULE_HEADERS}" REORIENT_LINKS "${MODULE_PUBLIC};${MODULE_PRIVATE}")
 endfunction()
 
 # reorient_add_program(NAME SOURCES file... LINKS target...)

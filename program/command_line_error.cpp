@@ -115,7 +115,7 @@ std::string reworded(const std::string& text, const CLI::App& asked) {
   if (const auto pair = split(text, " excludes -"))
     return pair->first + " and -" + pair->second + ": expected one, found both";
   if (const auto pair = split(text, " requires -"))
-    return pair->first + ": expected with -" + pair->second + ", found without";
+    return pair->first + ": expected together with -" + pair->second + ", found alone";
   const auto parts = split(text, ": ");
   if (!parts || parts->second.find("expected") != std::string::npos) return text;
   if (parts->second.starts_with("1 required ") && text.ends_with(" missing"))

@@ -264,7 +264,8 @@ struct reorient_answer {
   uint32_t zero;            /* unused, 0 */
   uint32_t command;         /* number of the command, 0: none; repeated until a frame acknowledges it */
   uint32_t command_kind;    /* REORIENT_FLIP, _PURGE or _RESET: carry it out once on the team's belief */
-  double current, opposite; /* confidence in the believed pose and in the mirrored pose, 0 to 1 */
+  double current;           /* confidence in the believed pose, 0 to 1 */
+  double opposite;          /* confidence in the mirrored pose, 0 to 1 */
   double evidence;          /* log-odds of the mirrored pose against the believed pose */
   double pose[3];           /* believed pose: Reorient's, or the one computed from your belief */
   double covariance[6];

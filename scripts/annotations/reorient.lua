@@ -299,9 +299,13 @@ function library.confirmed_threshold() end
 ---@return number log_odds
 function library.unconfirmed_threshold() end
 
-library.in_peace = nil
+--- Former name of `confirmed_threshold`.
+---@return number log_odds
+function library.in_peace() end
 
-library.in_doubt = nil
+--- Former name of `unconfirmed_threshold`.
+---@return number log_odds
+function library.in_doubt() end
 
 --- Whether the evidence for the believed pose reaches the threshold.
 ---@return boolean

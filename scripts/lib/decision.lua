@@ -22,9 +22,13 @@ function decision.confirmed_threshold() return log_odds(p.looks) end
 ---@return number log_odds
 function decision.unconfirmed_threshold() return log_odds(p.disturbances) end
 
--- Former names, with which scripts of earlier versions still run.
-decision.in_peace = decision.confirmed_threshold
-decision.in_doubt = decision.unconfirmed_threshold
+--- Former name of `confirmed_threshold`.
+---@return number log_odds
+function decision.in_peace() return decision.confirmed_threshold() end
+
+--- Former name of `unconfirmed_threshold`.
+---@return number log_odds
+function decision.in_doubt() return decision.unconfirmed_threshold() end
 
 --- Whether the evidence for the believed pose reaches the threshold.
 ---@return boolean

@@ -92,7 +92,7 @@ TEST_F(CompareTest, ComparesChoicesOfAnAxisWithinOneTable) {
                  "--axis: unknown axis 'mod' (did you mean 'mode'?)");
   expect_refused({before, "--axis", "mode", "--from", "papr", "--to", "default"},
                  "axis 'mode': unknown choice 'papr' (did you mean 'paper'?)");
-  expect_refused({before, "--axis", "mode"}, "--axis requires");
+  expect_refused({before, "--axis", "mode"}, "--axis: expected together with --from, found alone");
   expect_refused({before, before, "--axis", "mode", "--from", "paper", "--to", "default"}, "expected two tables, or");
   expect_refused({before}, "expected two tables, or one with --axis");
 }
@@ -148,7 +148,7 @@ TEST_F(CompareTest, RefusesInvalidTables) {
       {"[" + row(kDefault, outcome(1, "1") + "," + outcome(1, "2")) + "]",
        "expected different seeds in a row, found 1 twice"},
       {"[" + row(kDefault, outcome(1, "1").replace(outcome(1, "1").find("flip_pose"), 4, "slip")) + "]",
-       "expected a command as \"mended_by\" of an outcome, found \"slip_pose\""},
+       "expected a command as \"corrected_by\" of an outcome, found \"slip_pose\""},
   };
   for (const auto& [text, why] : kBad) {
     const std::string bad = table("bad", text);

@@ -100,16 +100,13 @@ end))");
   EXPECT_EQ(run.code, 0) << run.out << run.err;
 }
 
-TEST(FormerNames, OfAStateAndOfALibraryFunctionStillWorkInScriptedTests) {
+TEST(FormerNames, OfAStateStillWorksInScriptedTests) {
   const TemporaryFolder folder;
   const std::filesystem::path scripts = copy_scripts(folder.path());
-  folder.write("scripts/tests/old_test.lua", R"(local decision = require "lib.decision"
-test("a former state", function()
+  folder.write("scripts/tests/old_test.lua", R"(test("a former state", function()
   load_behavior "orientation"
   advance(0.1)
   expect.state("orientation", "watching/in doubt")
-  expect.equal(decision.in_doubt(), decision.unconfirmed_threshold())
-  expect.equal(decision.in_peace(), decision.confirmed_threshold())
 end))");
   const ProgramRun run = run_child(folder.path(), {"test", (scripts / "tests/old_test.lua").string()});
   EXPECT_EQ(run.code, 0) << run.out << run.err;
@@ -122,7 +119,7 @@ TEST(FormerNames, OfALibraryFunctionGivesAWarningInARun) {
   const std::filesystem::path scripts = copy_scripts(folder.path());
   folder.write("scripts/scenarios/old.lua", R"(local decision = require "lib.decision"
 scenario "old" { initial = "a", state "a" {
-  update = function() if decision.in_doubt() > 0 then verdict.succeed("it is there") end end } })");
+  update = function() if decision.in_doubt() > 0 and decision.in_peace() == decision.confirmed_threshold() then verdict.succeed("it is there") end end } })");
   const ProgramRun run = run_for_a_moment(folder.path(), {"run", "old", "--scripts", scripts.string()});
   EXPECT_EQ(run.code, kSuccess) << run.out << run.err;
   EXPECT_NE(run.err.find("decision.in_doubt is a former name: use decision.unconfirmed_threshold"), std::string::npos)

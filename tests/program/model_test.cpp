@@ -129,7 +129,8 @@ TEST_F(RunWithAModel, RefusesWhatIsNotAFile) {
   EXPECT_NE(nowhere.err.find("No such file or directory; name another file with --model"), std::string::npos);
   const ProgramRun alone = run_shortly({"--sides-changed"});
   EXPECT_EQ(alone.code, kBadInput);
-  EXPECT_NE(alone.err.find("--sides-changed: expected with --model, found without"), std::string::npos) << alone.err;
+  EXPECT_NE(alone.err.find("--sides-changed: expected together with --model, found alone"), std::string::npos)
+      << alone.err;
 }
 
 TEST_F(RunWithAModel, RefusesAnUnreadableModel) {

@@ -94,7 +94,7 @@ TEST_F(ReplayingTest, ReportsMistakesInATestAndContinues) {
       {flip + "load_behavior \"patrol\"", "expected a fake world, found a replay"},
       {flip + "set_param(\"orientation.hold_tme\", \"2\") advance(0)", "hold_tme"},
       {flip + "world_value(\"pose.z\")", "unknown world field 'pose.z'"},
-      {flip + "expect.state(\"orientation\", \"watching/in duobt\")", "did you mean"},
+      {flip + "expect.state(\"orientation\", \"watching/unconfrimed\")", "did you mean"},
       {"load_behavior \"get_up\" " + flip, "use a separate test"},
       {"advance_to(3)", "call replay \"FILE\" first"},
       {"expect.as_recorded()", "call replay \"FILE\" first"},

@@ -67,7 +67,7 @@ TEST_F(House, DrawsTheDiagramOfItsTableAndReportsAnotherOne) {
   const std::string rooms =
       "<!-- arrows: begin -->\n| `ground/` | – |\n| `upper/` | `ground/` |\n| `attic/` | `ground/`, `upper/` |\n"
       "| `roof/` | everything |\n<!-- arrows: end -->\n";
-  write("docs/architecture.md", rooms + "<!-- house: begin -->\nold\n<!-- house: end -->\nThe end.\n");
+  write("docs/architecture.md", rooms + "<!-- modules: begin -->\nold\n<!-- modules: end -->\nThe end.\n");
   EXPECT_EQ(check(),
             "docs/architecture.md: the diagram differs from the table; tools/arrows --draw draws it again\nexit 1");
   EXPECT_EQ(check("--draw"), "exit 0");
@@ -76,8 +76,8 @@ TEST_F(House, DrawsTheDiagramOfItsTableAndReportsAnotherOne) {
   EXPECT_EQ(
       read("docs/architecture.md"),
       rooms +
-          "<!-- house: begin -->\n```mermaid\nflowchart TD\n  attic_[\"attic/\"]\n  upper_[\"upper/\"]\n"
-          "  ground_[\"ground/\"]\n  attic_ --> upper_\n  upper_ --> ground_\n```\n<!-- house: end -->\nThe end.\n");
+          "<!-- modules: begin -->\n```mermaid\nflowchart TD\n  attic_[\"attic/\"]\n  upper_[\"upper/\"]\n"
+          "  ground_[\"ground/\"]\n  attic_ --> upper_\n  upper_ --> ground_\n```\n<!-- modules: end -->\nThe end.\n");
 }
 
 TEST_F(House, ReportsAnIncludeOfAMissingFile) {

@@ -107,7 +107,7 @@ TEST_F(FootageCalibration, IsRefusedInOneLine) {
     EXPECT_NE(refused.err.find(what), std::string::npos) << refused.err << "\nexpected: " << what;
   }
   const ProgramRun missing = run_reorient({"calibrate", "--by", "lines", "--at", "0,0,0"});
-  EXPECT_NE(missing.err.find("--by: expected with --footage, found without"), std::string::npos) << missing.err;
+  EXPECT_NE(missing.err.find("--by: expected together with --footage, found alone"), std::string::npos) << missing.err;
   const ProgramRun unknown =
       run_reorient({"run", "--robot", "footage", source(), "--camera-offset", file("missing.toml")});
   EXPECT_EQ(unknown.code, kBadInput);

@@ -101,7 +101,10 @@ ChunkPlace read_chunk_head(const RecordHead& head, std::span<const std::byte> be
   const std::uint64_t before_data = begin.size() - in.left();
   place.data = head.content() + before_data;
   check_bytes(place.data_size <= head.length - before_data, "a chunk's messages are longer than its record");
-  check_bytes(place.size <= kLargestChunk, "a chunk is larger than in any recording");
+  if (place.size > kLargestChunk) {
+    throw BadBytes("expected a chunk of at most " + std::to_string(kLargestChunk) + " bytes, found " +
+                   std::to_string(place.size));
+  }
   return place;
 }
 
