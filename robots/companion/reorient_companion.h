@@ -257,17 +257,17 @@ enum { /* reorient_answer.has */
 };
 
 struct reorient_answer {
-  uint64_t number;          /* number of the frame */
-  double time;              /* time of the frame, s, on the client's clock */
-  double took;              /* s from the frame's arrival to this answer */
-  uint32_t has;             /* REORIENT_ANSWER_... */
-  uint32_t zero;            /* unused, 0 */
-  uint32_t command;         /* number of the command, 0: none; repeated until a frame acknowledges it */
-  uint32_t command_kind;    /* REORIENT_FLIP, _PURGE or _RESET: carry it out once on the team's belief */
-  double current;           /* confidence in the believed pose, 0 to 1 */
-  double opposite;          /* confidence in the mirrored pose, 0 to 1 */
-  double evidence;          /* log-odds of the mirrored pose against the believed pose */
-  double pose[3];           /* believed pose: Reorient's, or the one computed from your belief */
+  uint64_t number;       /* number of the frame */
+  double time;           /* time of the frame, s, on the client's clock */
+  double took;           /* s from the frame's arrival to this answer */
+  uint32_t has;          /* REORIENT_ANSWER_... */
+  uint32_t zero;         /* unused, 0 */
+  uint32_t command;      /* number of the command, 0: none; repeated until a frame acknowledges it */
+  uint32_t command_kind; /* REORIENT_FLIP, _PURGE or _RESET: carry it out once on the team's belief */
+  double current;        /* confidence in the believed pose, 0 to 1 */
+  double opposite;       /* confidence in the mirrored pose, 0 to 1 */
+  double evidence;       /* log-odds of the mirrored pose against the believed pose */
+  double pose[3];        /* believed pose: Reorient's, or the one computed from your belief */
   double covariance[6];
   double head[3];      /* requested yaw (rad), pitch (rad) and speed (rad/s) */
   double walk[3];      /* requested m/s forward, m/s to the left, rad/s to the left; all 0: stand */
