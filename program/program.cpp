@@ -82,7 +82,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   }
   std::string names;
   for (const Subcommand& subcommand : subcommands) names += (names.empty() ? "" : ", ") + subcommand.parser->get_name();
-  err << "reorient: expected a command: " << names << " (see reorient --help)\n";
+  err << "reorient: expected a command: " << names << "; found none (see reorient --help)\n";
   return kBadInput;
 }
 

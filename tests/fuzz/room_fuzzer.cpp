@@ -30,7 +30,7 @@ void try_panorama(Bytes bytes) {
     image = decode_panorama(bytes, "hall.hdr");
   } catch (const std::runtime_error& error) {
     require_message(error.what());
-    require(std::string_view(error.what()).starts_with("panorama 'hall.hdr' "), "a refusal names the file");
+    require(std::string_view(error.what()).starts_with("panorama 'hall.hdr': "), "a refusal names the file");
     return;
   }
   require(image.width <= 8192 && image.height <= 4096, "a picture fits into memory");

@@ -41,10 +41,12 @@ class BadInput : public ::testing::Test {
     expect_refused(words, parts);
   }
 
-  /// What was expected and what was found, an unknown name, or what the system refuses.
+  /// What was expected and what was found, an unknown name, what the system refuses, or an error of Lua or of the TOML
+  /// parser, which word them.
   static bool has_form(const std::string& error) {
     const auto has = [&](const char* text) { return error.find(text) != std::string::npos; };
-    return (has("expected ") && has("found ")) || has("unknown ") || has("cannot ");
+    return (has("expected ") && (has("found ") || has("invalid "))) || has("unknown ") || has("cannot ") ||
+           has(".lua:") || has("Error while parsing");
   }
 
   void expect_refused(const Words& words, const Words& parts) const {
@@ -328,7 +330,7 @@ TEST_F(BadInput, AnInvalidRootOfScriptsIsNamed) {
   std::filesystem::create_directories(folder_.path() / "none" / "behaviors");
   expect_refused({"check", "--scripts", path("none")}, {"expected scripts, found none"});
   expect_refused({"check", (kProjectFolder / "scripts/README.md").string()},
-                 {"README.md: expected a folder or a file *.lua"});
+                 {"README.md: expected a folder or a file *.lua, found another file"});
   std::filesystem::create_directory(folder_.path() / "mine");
   EXPECT_EQ(run_reorient({"new", "behavior", "x", "--scripts", path("mine")}).code, kSuccess)
       << "a new root of scripts";

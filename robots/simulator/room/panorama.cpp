@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <png.h>
@@ -21,23 +21,25 @@ namespace reorient {
 namespace {
 
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
-  throw std::runtime_error("panorama '" + name + "' " + what);
+  throw std::runtime_error("panorama '" + name + "': " + what);
 }
 
 std::vector<std::uint8_t> read_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) fail(path, "does not exist: check the path");
-  if (!std::filesystem::is_regular_file(status)) fail(path, "is not a file: pass a .hdr, .png or .jpg file");
+  if (!std::filesystem::exists(status)) fail(path, "expected an image file, found none; check the path");
+  if (!std::filesystem::is_regular_file(status))
+    fail(path, "expected a .hdr, .png or .jpg file, found something that is not a file");
   const auto size = std::filesystem::file_size(path, error);
   constexpr std::uintmax_t kLargest = 256u << 20;
-  if (error) fail(path, "cannot be read: check its permissions");
-  if (size == 0) fail(path, "is empty: fetch or export it again");
-  if (size > kLargest) fail(path, "is larger than 256 MB: scale it down to at most 8192x4096 pixels");
+  if (error) fail(path, "cannot be read; check its permissions");
+  if (size == 0) fail(path, "expected an image, found an empty file; fetch or export it again");
+  if (size > kLargest)
+    fail(path, "expected at most 256 MB, found a larger file; scale it down to at most 8192x4096 pixels");
   std::vector<std::uint8_t> bytes(size);
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!file) fail(path, "cannot be read: check its permissions");
+  if (!file) fail(path, "cannot be read; check its permissions");
   return bytes;
 }
 
@@ -58,7 +60,7 @@ LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& n
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&png, png_image_free);
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    fail(name, std::string("is not a readable PNG (") + png.message + "): export it again");
+    fail(name, std::string("expected a readable PNG, found damaged data (") + png.message + "); export it again");
   }
   constexpr png_uint_32 kSane = 1u << 20;
   check_panorama_size(static_cast<int>(std::min(png.width, kSane)), static_cast<int>(std::min(png.height, kSane)),
@@ -66,11 +68,11 @@ LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& n
   // Deflate makes at most 1032 bytes of one. So reject a file that is too short before memory is allocated.
   constexpr std::size_t kMostOfOne = 1032;
   if (inflated_size(png, bytes) / kMostOfOne > bytes.size())
-    fail(name, "ends too early, it is incomplete: fetch or export it again");
+    fail(name, "expected more data, found the end of the file; fetch or export it again");
   png.format = PNG_FORMAT_LINEAR_RGB;
   std::vector<png_uint_16> light(3 * static_cast<std::size_t>(png.width) * png.height);
   if (png_image_finish_read(&png, nullptr, light.data(), 0, nullptr) == 0) {
-    fail(name, std::string("is damaged (") + png.message + "): fetch or export it again");
+    fail(name, std::string("expected intact image data, found damage (") + png.message + "); fetch or export it again");
   }
   LinearImage image(static_cast<int>(png.width), static_cast<int>(png.height));
   constexpr float kFull = 65535.0f;
@@ -95,7 +97,7 @@ void check_scans(std::span<const std::uint8_t> jpeg, const std::string& name) {
   constexpr int kMost = 50;
   int scans = 0;
   for (std::size_t i = 1; i < jpeg.size(); ++i) scans += jpeg[i - 1] == 0xff && jpeg[i] == 0xda ? 1 : 0;
-  if (scans > kMost) fail(name, "has more than " + std::to_string(kMost) + " scans: export it again");
+  if (scans > kMost) fail(name, "expected at most " + std::to_string(kMost) + " scans, found more; export it again");
 }
 
 LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -108,14 +110,16 @@ LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& 
   const auto size = static_cast<unsigned long>(bytes.size());
   if (tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colors) != 0 ||
       width <= 0) {
-    fail(name, std::string("is not a readable JPEG (") + tjGetErrorStr2(decoder.get()) + "): export it again");
+    fail(name, std::string("expected a readable JPEG, found damaged data (") + tjGetErrorStr2(decoder.get()) +
+                   "); export it again");
   }
   check_panorama_size(width, height, name);
   check_scans(bytes, name);
   std::vector<std::uint8_t> shown(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   if (tjDecompress2(decoder.get(), bytes.data(), size, shown.data(), width, 0, height, TJPF_RGB, TJFLAG_ACCURATEDCT) !=
       0) {
-    fail(name, std::string("is damaged (") + tjGetErrorStr2(decoder.get()) + "): fetch or export it again");
+    fail(name, std::string("expected intact image data, found damage (") + tjGetErrorStr2(decoder.get()) +
+                   "); fetch or export it again");
   }
   static const std::array<float, 256> linear = linear_from_srgb();
   LinearImage image(width, height);
@@ -131,15 +135,12 @@ void check_panorama_size(int width, int height, const std::string& name) {
   constexpr int kSmallest = 32;
   constexpr int kLargest = 8192;
   constexpr double kTolerance = 0.1;
-  std::ostringstream what;
-  what << "is " << width << " x " << height << " pixels: ";
+  const std::string found = ", found " + std::to_string(width) + " x " + std::to_string(height) + " pixels; ";
   if (width < kSmallest || height < kSmallest / 2 || width > kLargest || height > kLargest / 2) {
-    what << "scale it to between 32 x 16 and 8192 x 4096";
-    fail(name, what.str());
+    fail(name, "expected 32 x 16 to 8192 x 4096 pixels" + found + "scale it");
   }
   if (std::abs(static_cast<double>(width) / height - 2.0) > kTolerance) {
-    what << "export it as an equirectangular panorama, which is twice as wide as high";
-    fail(name, what.str());
+    fail(name, "expected an equirectangular panorama, twice as wide as high" + found + "export it again");
   }
 }
 
@@ -147,7 +148,7 @@ LinearImage decode_panorama(std::span<const std::uint8_t> bytes, const std::stri
   if (looks_like_radiance(bytes)) return decode_radiance(bytes, name);
   if (begins_with(bytes, {0x89, 'P', 'N', 'G'})) return decode_png(bytes, name);
   if (begins_with(bytes, {0xff, 0xd8, 0xff})) return decode_jpeg(bytes, name);
-  fail(name, "has an unknown format (expected Radiance .hdr, .png or .jpg): convert it to one of them");
+  fail(name, "expected Radiance .hdr, .png or .jpg, found an unknown format; convert it");
 }
 
 LinearImage read_panorama(const std::string& path) { return decode_panorama(read_file(path), path); }

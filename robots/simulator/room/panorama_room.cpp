@@ -124,8 +124,8 @@ void check_panorama_shape(const std::string& name, const RoomShape& shape) {
   check(shape);
   if (shape.mark == 0.0) return;
   std::ostringstream message;
-  message << "panorama '" << name << "': room_shape.mark is " << shape.mark
-          << " m (expected 0: only the built-in hall has a banner)";
+  message << "panorama '" << name << "': room_shape.mark: expected 0, found " << shape.mark
+          << " m; only the built-in hall has a banner";
   throw std::runtime_error(message.str());
 }
 

@@ -23,7 +23,7 @@ class Reader {
   std::size_t left() const { return rest_.size(); }
 
   std::uint8_t byte() {
-    if (rest_.empty()) fail("ends too early, it is incomplete: fetch or export it again");
+    if (rest_.empty()) fail("expected more data, found the end of the file; fetch or export it again");
     const std::uint8_t value = rest_.front();
     rest_ = rest_.subspan(1);
     return value;
@@ -41,11 +41,11 @@ class Reader {
       if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
       return text;
     }
-    fail("has no readable header: export it again as Radiance .hdr");
+    fail("expected a Radiance header, found other bytes; export it again as Radiance .hdr");
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error("panorama '" + name_ + "' " + what);
+    throw std::runtime_error("panorama '" + name_ + "': " + what);
   }
 
  private:
@@ -66,7 +66,7 @@ Layout read_header(Reader& reader) {
     const std::string_view line = reader.line();
     if (line.empty()) break;
     if (line.starts_with("FORMAT=") && line.find("rle_rgbe") == std::string_view::npos) {
-      reader.fail("has pixels of an unknown format: export it as 32-bit_rle_rgbe");
+      reader.fail("expected pixels of the format 32-bit_rle_rgbe, found another format; export it again");
     }
   }
   const std::string_view resolution = reader.line();
@@ -77,7 +77,8 @@ Layout read_header(Reader& reader) {
   words >> rows >> layout.height >> columns >> layout.width;
   if (!words || (rows != "-Y" && rows != "+Y") || (columns != "-X" && columns != "+X")) {
     reader.fail(
-        "has no resolution like '-Y 512 +X 1024' after its header: export it again as Radiance .hdr, not rotated");
+        "expected a resolution such as '-Y 512 +X 1024' after the header, found other bytes; export it again as "
+        "Radiance .hdr, not rotated");
   }
   layout.bottom_first = rows == "+Y";
   layout.right_first = columns == "-X";
@@ -92,7 +93,8 @@ void read_coded_row(Reader& reader, std::vector<Rgbe>& row) {
       const int code = reader.byte();
       const bool run = code > kRun;
       const auto count = static_cast<std::size_t>(run ? code - kRun : code);
-      if (count == 0 || count > row.size() - x) reader.fail("has a damaged row: fetch or export it again");
+      if (count == 0 || count > row.size() - x)
+        reader.fail("expected intact rows, found a damaged one; fetch or export it again");
       if (run) {
         const std::uint8_t value = reader.byte();
         for (std::size_t i = 0; i < count; ++i) row[x + i][channel] = value;
@@ -111,7 +113,8 @@ void read_flat_row(Reader& reader, Rgbe first, std::vector<Rgbe>& row) {
   for (std::size_t x = 0; x < row.size();) {
     if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1) {
       const std::size_t count = static_cast<std::size_t>(pixel[3]) << shift;
-      if (x == 0 || count > row.size() - x) reader.fail("has a damaged row: fetch or export it again");
+      if (x == 0 || count > row.size() - x)
+        reader.fail("expected intact rows, found a damaged one; fetch or export it again");
       for (std::size_t i = 0; i < count; ++i) row[x + i] = row[x - 1];
       x += count;
       constexpr int kByte = 8;
@@ -136,7 +139,7 @@ void read_row(Reader& reader, std::vector<Rgbe>& row) {
   } else if (announced == row.size()) {
     read_coded_row(reader, row);
   } else {
-    reader.fail("has a damaged row: fetch or export it again");
+    reader.fail("expected intact rows, found a damaged one; fetch or export it again");
   }
 }
 
@@ -155,14 +158,14 @@ bool looks_like_radiance(std::span<const std::uint8_t> bytes) {
 
 LinearImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name) {
   Reader reader(bytes, name);
-  if (!looks_like_radiance(bytes)) reader.fail("is not a Radiance picture");
+  if (!looks_like_radiance(bytes)) reader.fail("expected a Radiance image, found other bytes");
   const Layout layout = read_header(reader);
   check_panorama_size(layout.width, layout.height, name);
   // A row has at least 4 bytes of header and 2 for each run of 127 in four channels. Reject shorter data early.
   constexpr std::size_t kLongestRun = 127;
   const std::size_t runs = (static_cast<std::size_t>(layout.width) + kLongestRun - 1) / kLongestRun;
   const std::size_t least = static_cast<std::size_t>(layout.height) * std::min<std::size_t>(4 + 8 * runs, 8);
-  if (reader.left() < least) reader.fail("ends too early, it is incomplete: fetch or export it again");
+  if (reader.left() < least) reader.fail("expected more data, found the end of the file; fetch or export it again");
 
   LinearImage image(layout.width, layout.height);
   std::vector<Rgbe> row(static_cast<std::size_t>(layout.width));

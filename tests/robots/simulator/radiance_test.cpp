@@ -134,7 +134,7 @@ TEST(Radiance, ToleratesCarriageReturnsAndAMissingFormatLine) {
   EXPECT_EQ(decode_radiance(bytes, "test").width, 32);
 }
 
-TEST(Radiance, RefusesAnEmptyFile) { expect_unreadable({}, "is not a Radiance picture"); }
+TEST(Radiance, RefusesAnEmptyFile) { expect_unreadable({}, "expected a Radiance image, found other bytes"); }
 
 TEST(Radiance, RefusesAnIncompleteHeader) {
   Bytes bytes;
@@ -153,7 +153,7 @@ TEST(Radiance, RefusesInvalidSizesBeforeItAllocatesMemory) {
   expect_unreadable(header(2000000000, 1000000000), "scale it");
   expect_unreadable(header(-64, -32), "scale it");
   expect_unreadable(header(64, 60), "twice as wide as high");
-  expect_unreadable(header(8192, 4096), "ends too early");
+  expect_unreadable(header(8192, 4096), "found the end of the file");
   Bytes bytes;
   append(bytes, "#?RADIANCE\n\n-Y 99999999999999999999 +X 2\n");
   expect_unreadable(bytes, "resolution");

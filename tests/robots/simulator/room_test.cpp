@@ -347,7 +347,7 @@ TEST(Mark, IsRefusedForAPanorama) {
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
-                 "panorama 'room.hdr': room_shape.mark is 0.4 m (expected 0: only the built-in hall has a banner)");
+                 "panorama 'room.hdr': room_shape.mark: expected 0, found 0.4 m; only the built-in hall has a banner");
   }
 }
 

@@ -221,9 +221,11 @@ class ScriptCheck {
 /// The path relative to the root. Throws if it is not below the root.
 std::string below(const std::filesystem::path& root, const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw std::runtime_error(path.string() + ": file or folder not found");
+  if (!std::filesystem::exists(path, error))
+    throw std::runtime_error(path.string() + ": expected a file or folder, found none");
   if (!std::filesystem::is_directory(path, error) && path.extension() != kExtension)
-    throw std::runtime_error(path.string() + ": expected a folder or a file *" + std::string(kExtension));
+    throw std::runtime_error(path.string() + ": expected a folder or a file *" + std::string(kExtension) +
+                             ", found another file");
   const std::optional<std::string> relative = path_below(root, path);
   if (!relative)
     throw std::runtime_error(path.string() + ": expected a path below " + root.string() +

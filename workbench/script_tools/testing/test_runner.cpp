@@ -155,7 +155,7 @@ std::vector<std::filesystem::path> find_tests(std::span<const std::filesystem::p
     } else if (std::filesystem::is_regular_file(path, error)) {
       files.push_back(path);
     } else {
-      throw std::runtime_error(path.string() + ": file or folder not found");
+      throw std::runtime_error(path.string() + ": expected a file or folder, found none");
     }
   }
   return files;
