@@ -136,7 +136,7 @@ TEST_F(BadInput, ARoomThatIsNotAPanoramaIsNamedWithItsSize) {
 
 TEST_F(BadInput, ABannerInAPanoramaIsRefused) {
   expect_refused_run({"--room", file("gym.hdr", radiance(64, 32)), "--set", "room_shape.mark=3"},
-                     {"gym.hdr", "room_shape.mark is 3 m", "only the built-in hall"});
+                     {"gym.hdr", "room_shape.mark: expected 0, found 3 m", "only the built-in hall"});
 }
 
 TEST_F(BadInput, ASymmetryOutOfItsRangeIsNamedWithItsRange) {

@@ -109,7 +109,7 @@ std::vector<std::uint8_t> with_scans(std::vector<std::uint8_t> jpeg, int more) {
 }
 
 TEST(Panorama, RefusesAJpegOfAThousandScans) {
-  expect_refused(with_scans(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), 1000), "more than 50 scans");
+  expect_refused(with_scans(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), 1000), "expected at most 50 scans, found more");
   EXPECT_EQ(decode_panorama(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), "test").width, kWidth);
 }
 
@@ -120,7 +120,7 @@ TEST(Panorama, RefusesSizesForWhichThereAreTooFewBytes) {
             std::string::npos);
   for (const std::string size : {"-Y 1073741824 +X 2147483647", "-Y 99999999999 +X 199999999998", "-Y -16 +X -32"}) {
     const std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + std::string(64, '\x02');
-    expect_refused({text.begin(), text.end()}, "it ");  // "scale it", "export it"
+    expect_refused({text.begin(), text.end()}, ", found ");
   }
 }
 
