@@ -109,7 +109,8 @@ std::vector<std::uint8_t> with_scans(std::vector<std::uint8_t> jpeg, int more) {
 }
 
 TEST(Panorama, RefusesAJpegOfAThousandScans) {
-  expect_refused(with_scans(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), 1000), "expected at most 50 scans, found more");
+  expect_refused(with_scans(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), 1000),
+                 "expected at most 50 scans, found more");
   EXPECT_EQ(decode_panorama(encode_jpeg(two_grays(30, 200), TJFLAG_PROGRESSIVE), "test").width, kWidth);
 }
 
