@@ -64,12 +64,12 @@ std::string TestBench::known_state(std::string_view machine, std::string_view pa
   return std::string(path);
 }
 
-void TestBench::expect_state(std::string_view machine, std::string_view expected) {
-  const std::string path = known_state(machine, expected);
+void TestBench::expect_state(std::string_view machine, std::string_view path) {
+  const std::string known = known_state(machine, path);
   for (const SeenMachine& seen : seen_.machines) {
     if (seen.name != machine) continue;
-    if (seen.state != path)
-      fail(std::string(machine) + " in state " + in_quotes(path), "in state " + in_quotes(seen.state));
+    if (seen.state != known)
+      fail(std::string(machine) + " in state " + in_quotes(known), "in state " + in_quotes(seen.state));
     return;
   }
   fail("behavior " + in_quotes(machine) + " is not loaded");
