@@ -67,7 +67,8 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
           may_be_loaded ? "; this run does not load '" + module.substr(0, kLongestName) + "' (--with loads a behavior)"
                         : did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end()));
       const char* const where = hint.empty() ? "; 'reorient params' lists all" : "";
-      const std::string source = change.source.empty() ? "the " + std::string(to_string(change.origin)) : change.source;
+      std::string source = change.source;
+      if (source.empty()) source.append("the ").append(to_string(change.origin));
       throw std::runtime_error(source + ": unknown parameter '" + change.name.substr(0, kLongestName) + "'" + hint +
                                where);
     }
