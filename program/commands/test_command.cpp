@@ -3,9 +3,11 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
 
 #include "program/help.h"
 #include "program/interruption.h"
@@ -96,6 +98,11 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   }
   CoverageTrace trace;
   const TestSummary summary = run_script_tests(run, out, trace);
+  std::set<std::string> warnings;
+  for (const TestCase& one : summary.cases) {
+    for (const std::string& warning : one.warnings) warnings.insert(one.file + ": " + warning);
+  }
+  for (const std::string& warning : warnings) spdlog::warn("{}", warning);
   std::vector<std::string> failures;
   if (!options.junit.empty()) try_to_write(failures, [&] { write_whole_file(options.junit, junit_report(summary)); });
   if (options.coverage) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,8 @@ class TestBench {
 
   /// All failures so far, including unexpected errors of scripts.
   std::vector<TestFailure> finish();
+  /// One line for each former name that the test uses.
+  const std::set<std::string>& warnings() const { return warnings_; }
   bool needs_simulator() const { return needs_simulator_; }
   /// The test was ended because of its budget; finish() lists that as a failure.
   bool exceeded_budget() const { return exceeded_budget_; }
@@ -138,6 +141,7 @@ class TestBench {
   std::vector<SeenMachine> replayed_machines_;
 
   std::vector<TestFailure> failures_;
+  std::set<std::string> warnings_;
   std::vector<ScriptFault> faults_;      ///< not yet expected
   std::optional<ScriptFault> refused_;   ///< not yet expected
   SeenFrames seen_;                      ///< in the last advance(); transitions: in the whole test

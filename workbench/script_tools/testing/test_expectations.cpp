@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <spdlog/spdlog.h>
-
 #include "engine/parameters/nearest_name.h"
 #include "workbench/script_tools/testing/test_bench.h"
 #include "workbench/script_tools/testing/value_differences.h"
@@ -54,7 +52,7 @@ std::string TestBench::known_state(std::string_view machine, std::string_view pa
     if (definition->name != machine || definition->find(std::string(path)) >= 0) continue;
     for (const auto& [former, present] : kFormerStates) {
       if (path != former || definition->find(std::string(present)) < 0) continue;
-      spdlog::warn("{} is a former name: use {}", in_quotes(former), in_quotes(present));
+      warnings_.insert(in_quotes(former) + " is a former name: use " + in_quotes(present));
       return std::string(present);
     }
     std::vector<std::string> paths;

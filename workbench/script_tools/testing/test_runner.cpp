@@ -66,7 +66,7 @@ class TestFile {
     lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function);
     const std::optional<ScriptFault> fault = sandbox_.call(0, 0);
     if (bench.needs_simulator()) return {name_, name, {}, true};
-    TestCase result{name_, name, bench.finish(), false};
+    TestCase result{name_, name, bench.finish(), false, bench.warnings()};
     if (fault && !bench.exceeded_budget()) result.failures.push_back(as_failure(*fault));
     return result;
   }

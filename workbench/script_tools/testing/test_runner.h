@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct TestCase {
   std::string name;
   std::vector<TestFailure> failures;  ///< empty: it passed
   bool skipped = false;               ///< it requires the simulator, which is not available
+  std::set<std::string> warnings{};   ///< of former names that it uses
 };
 
 struct TestSummary {
