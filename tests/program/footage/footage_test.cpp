@@ -207,7 +207,7 @@ TEST_F(Footage, IsRefusedIfTheCommandOrTheTableIsInvalid) {
       {{"--belief", "mirrored:x"}, "--belief: expected right, mirrored, degrees"},
       {{"--belief", "270"},
        "--belief: expected right, mirrored, degrees from -180 to 180, or mirrored:DEGREES, found '270'"},
-      {{"--lifted"}, "--lifted: expected --belief"},
+      {{"--lifted"}, "--lifted: expected together with --belief, found alone"},
       {{"--column", "time"}, "--column: expected NAME=HEADER or NAME=HEADER:UNIT, as in time=stamp:ns, found 'time'"},
       {{"--column", "tume=t"}, "unknown column 'tume' (did you mean 'time'?)"},
       {{"--column", "time=stamp"}, "frames.csv:1: expected a column 'stamp' for time"},
