@@ -67,10 +67,10 @@ std::vector<ParameterChange> kept_for_others(const std::vector<ParameterChange>&
           may_be_loaded ? "; this run does not load '" + module.substr(0, kLongestName) + "' (--with loads a behavior)"
                         : did_you_mean(change.name, std::vector<std::string>(names.begin(), names.end()));
       const char* const where = hint.empty() ? "; 'reorient params' lists all" : "";
-      std::string source = change.source;
-      if (source.empty()) source.append("the ").append(to_string(change.origin));
-      throw std::runtime_error(source + ": unknown parameter '" + change.name.substr(0, kLongestName) + "'" + hint +
-                               where);
+      std::string text = change.source;
+      if (text.empty()) text.append("the ").append(to_string(change.origin));
+      text.append(": unknown parameter '").append(change.name, 0, kLongestName).append("'").append(hint).append(where);
+      throw std::runtime_error(text);
     }
     if (!modules.anywhere.contains(module)) unknown_modules.try_emplace(module, change.source);
     kept.insert_or_assign(change.name, change);
