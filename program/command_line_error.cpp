@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/help.h"
 #include "workbench/files/home.h"
 
 namespace reorient {
@@ -40,12 +41,6 @@ std::string hint(const CLI::App& app, std::span<const Subcommand> subcommands) {
   return did_you_mean(unknown.front(), known);
 }
 
-/// "reorient model compare --help".
-std::string help_of(const CLI::App& app) {
-  const std::vector<CLI::App*> named = app.get_subcommands();
-  return app.get_name() + " " + (named.empty() ? "--help" : help_of(*named.back()));
-}
-
 /// The parts before and after the first `separator`. Not with std::regex, whose recursion a long word would overflow.
 std::optional<std::pair<std::string, std::string>> split(const std::string& text, std::string_view separator) {
   const std::size_t at = text.find(separator);
@@ -53,38 +48,30 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   return std::pair(text.substr(0, at), text.substr(at + separator.size()));
 }
 
-/// "a, b or c", from "a,b,c".
-std::string choices_of(const std::string& list) {
+/// The option of this name of the command, or of the program; nullptr: unknown.
+const CLI::Option* option_named(const CLI::App* asked, const std::string& name) {
+  const CLI::Option* option = nullptr;
+  for (; option == nullptr && asked != nullptr; asked = asked->get_parent()) option = asked->get_option_no_throw(name);
+  return option;
+}
+
+/// "a, b or c".
+std::string either_of(const std::vector<std::string>& choices) {
   std::string text;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const bool is_last = list.find(',', i + 1) == std::string::npos;
-    text += list[i] != ',' ? std::string(1, list[i]) : is_last ? " or " : ", ";
-  }
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ").append(choices[i]);
   return text;
 }
 
-/// The placeholder of an option's value and its choices, if it has any: "N" and "160,320,544".
-std::pair<std::string, std::string> value_of(const CLI::App& asked, const std::string& name) {
-  for (const CLI::App* app = &asked; app != nullptr; app = app->get_parent()) {
-    const CLI::Option* const option = app->get_option_no_throw(name);
-    if (option == nullptr) continue;
-    const std::string type = option->get_type_name();  // "N:{160,320,544}"
-    const auto parts = split(type, ":{");
-    return parts ? std::pair(parts->first, parts->second.substr(0, parts->second.find('}')))
-                 : std::pair(type.substr(0, type.find(':')), std::string());
-  }
-  return {"VALUE", ""};
-}
-
 /// What to write instead of a value that CLI11 refuses with the text `why`.
-std::string expected_value(const CLI::App& asked, const std::string& name, const std::string& why) {
-  if (const auto choice = split(why, " not in {"))
-    return "expected " + choices_of(choice->second.substr(0, choice->second.find('}'))) + ", found '" + choice->first +
-           "'";
+std::string expected_value(const CLI::Option& option, const std::string& why) {
+  if (const std::vector<std::string> choices = choices_of(option); !choices.empty()) {
+    const auto refused = split(why, " not in {");
+    return "expected " + either_of(choices) + ", found '" + (refused ? refused->first : why) + "'";
+  }
   if (const auto range = split(why, " not in range "); range && range->first.starts_with("Value "))
     return "expected a number from " + range->second + ", found '" + range->first.substr(6) + "'";
-  const std::string choices = value_of(asked, name).second;
-  return choices.empty() ? why : "expected " + choices_of(choices) + ", found '" + why + "'";
+  return why;
 }
 
 /// The description of what is missing, since its name alone may be unclear.
@@ -92,10 +79,7 @@ std::string missing_text(const CLI::App& asked, const std::string& what) {
   for (const CLI::Option* option : asked.get_options()) {
     if (what == option->get_name()) return "expected " + what + " (" + option->get_description() + "), found none";
   }
-  std::string names;
-  for (const CLI::App* one : asked.get_subcommands([](const CLI::App*) { return true; }))
-    names += (names.empty() ? "" : ", ") + one->get_name();
-  return "expected a command: " + names + "; found none";
+  return missing_command(asked);
 }
 
 /// CLI11's text in the form of our errors. Texts of a kind that this program does not cause stay as they are.
@@ -117,10 +101,11 @@ std::string reworded(const std::string& text, const CLI::App& asked) {
   if (const auto pair = split(text, " requires -"))
     return pair->first + ": expected together with -" + pair->second + ", found alone";
   const auto parts = split(text, ": ");
-  if (!parts || parts->second.find("expected") != std::string::npos) return text;
+  const CLI::Option* const option = parts ? option_named(&asked, parts->first) : nullptr;
+  if (option == nullptr || parts->second.find("expected") != std::string::npos) return text;
   if (parts->second.starts_with("1 required ") && text.ends_with(" missing"))
-    return parts->first + ": expected a value (" + value_of(asked, parts->first).first + "), found none";
-  return parts->first + ": " + expected_value(asked, parts->first, parts->second);
+    return parts->first + ": expected a value (" + placeholder_of(*option) + "), found none";
+  return parts->first + ": " + expected_value(*option, parts->second);
 }
 
 }  // namespace
@@ -130,10 +115,17 @@ const CLI::App& asked_of(const CLI::App& app) {
   return named.empty() ? app : asked_of(*named.back());
 }
 
+std::string missing_command(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : commands_of(app)) names.append(names.empty() ? "" : ", ").append(command->get_name());
+  return "expected a command: " + names + "; found none";
+}
+
 std::string text_of(const CLI::ParseError& error, const CLI::App& app, std::span<const Subcommand> subcommands) {
+  const CLI::App& asked = asked_of(app);
   const bool is_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  return reworded(error.what(), asked_of(app)) + (is_unknown ? hint(app, subcommands) : "") + " (see " + help_of(app) +
-         ")";
+  return reworded(error.what(), asked) + (is_unknown ? hint(app, subcommands) : "") + " (see " + path_of(asked) +
+         " --help)";
 }
 
 }  // namespace reorient

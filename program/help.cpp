@@ -46,13 +46,6 @@ std::string sentence(std::string text) {
   return text.back() == '?' ? text : text + ".";
 }
 
-/// The type name without the descriptions of the checks that follow it: "N:{320,640}".
-std::string placeholder_of(const CLI::Option& option) {
-  if (option.get_type_size() == 0) return {};
-  const std::string type = option.get_type_name();
-  return type.substr(0, type.find(':'));
-}
-
 bool takes_several(const CLI::Option& option) {
   return option.get_allow_extra_args() && option.get_expected_max() == CLI::detail::expected_max_vector_size;
 }
@@ -63,16 +56,16 @@ std::string with_dots(const std::string& placeholder, const CLI::Option& option)
 
 /// The values that the checks of the option allow: ": a, b" or ", 1 to 254"; empty if the text names all choices.
 std::string allowed_by(const CLI::Option& option, const std::string& text) {
-  const std::string type = option.get_type_name();
-  if (const std::size_t open = type.find(":{"); open != std::string::npos) {
+  if (const std::vector<std::string> all = choices_of(option); !all.empty()) {
     std::string choices;
     bool are_named = true;
-    for (const std::string& choice : CLI::detail::split(type.substr(open + 2, type.find('}') - open - 2), ',')) {
+    for (const std::string& choice : all) {
       are_named = are_named && text.find(choice) != std::string::npos;
       choices.append(choices.empty() ? ": " : ", ").append(choice);
     }
     return are_named ? "" : choices;
   }
+  const std::string type = option.get_type_name();
   constexpr std::string_view kIn = " in [", kDash = " - ";
   const std::size_t open = type.find(kIn);
   if (open == std::string::npos) return {};
@@ -87,7 +80,21 @@ std::string default_of(const CLI::Option& option) {
   return text.starts_with('[') && text.ends_with(']') ? text.substr(1, text.size() - 2) : text;
 }
 
-/// "reorient room rate".
+}  // namespace
+
+std::string placeholder_of(const CLI::Option& option) {
+  if (option.get_type_size() == 0) return {};
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
+}
+
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // "N:{160,320,544}"
+  const std::size_t open = type.find(":{");
+  if (open == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 2, type.find('}') - open - 2), ',');
+}
+
 std::string path_of(const CLI::App& app) {
   const CLI::App* const parent = app.get_parent();
   return parent == nullptr ? app.get_name() : path_of(*parent) + " " + app.get_name();
@@ -96,8 +103,6 @@ std::string path_of(const CLI::App& app) {
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* command) { return !command->get_name().empty(); });
 }
-
-}  // namespace
 
 bool HelpFormatter::is_listed(const CLI::Option& option) const { return !option.get_group().empty(); }
 

@@ -4,10 +4,19 @@
 
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 namespace reorient {
+
+/// The type name without the descriptions of the checks that follow it: "N" of "N:{320,640}".
+std::string placeholder_of(const CLI::Option& option);
+/// The values that a check of the option allows: "320", "640"; empty: any, or a range.
+std::vector<std::string> choices_of(const CLI::Option& option);
+/// "reorient room rate".
+std::string path_of(const CLI::App& app);
+std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
 /// Formats the page of each command: usage, purpose, commands, arguments, options by group, examples. The placeholder
 /// of an option is its type name; choices, range and default come from the option itself. Subcommands inherit the

@@ -80,9 +80,7 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
-  std::string names;
-  for (const Subcommand& subcommand : subcommands) names += (names.empty() ? "" : ", ") + subcommand.parser->get_name();
-  err << "reorient: expected a command: " << names << "; found none (see reorient --help)\n";
+  err << "reorient: " << missing_command(app) << " (see reorient --help)\n";
   return kBadInput;
 }
 
