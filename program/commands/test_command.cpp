@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // `reorient test`: scripted behavior tests, in a fake world and on the simulator.
+#include <array>
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <ostream>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/fmt/chrono.h>
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "program/help.h"
 #include "program/interruption.h"
@@ -35,6 +42,38 @@ struct TestOptions {
   std::filesystem::path junit;
 };
 
+/// The test that runs, and how far its simulation is: a line that a terminal overwrites, otherwise a line for every ten
+/// seconds of a test.
+class TestProgress : public Observer {
+ public:
+  explicit TestProgress(std::ostream& err) : err_(err), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+  void begin(const std::string& file, const std::string& name) {
+    test_ = file + ": " + name;
+    next_ = Clock::now() + (is_terminal_ ? kSoon : kPause);
+  }
+  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
+    if (Clock::now() < next_) return;
+    next_ = Clock::now() + (is_terminal_ ? kSoon : kPause);
+    err_ << (is_terminal_ ? "\r\x1B[K" : "") << fmt::format("{:.0f} s simulated  {}", frame.world.time, test_)
+         << (is_terminal_ ? "" : "\n") << std::flush;
+    is_shown_ = is_terminal_;
+  }
+  void clear() {
+    if (std::exchange(is_shown_, false)) err_ << "\r\x1B[K" << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kSoon = std::chrono::milliseconds(300), kPause = std::chrono::milliseconds(10'000);
+
+  std::ostream& err_;
+  bool is_terminal_;
+  bool is_shown_ = false;
+  std::string test_;
+  Clock::time_point next_;
+};
+
 /// Records the states and transitions of a run.
 class CoverageObserver : public Observer {
  public:
@@ -53,7 +92,7 @@ class CoverageObserver : public Observer {
 };
 
 SimulationOutcome simulate(const std::filesystem::path& scripts, const SimulationRequest& request, CoverageTrace& trace,
-                           const std::function<bool()>& stop) {
+                           const std::function<bool()>& stop, TestProgress& progress) {
   SimulationOptions options;
   options.scenario = request.scenario;
   options.with = request.with;
@@ -72,11 +111,17 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   SeenObserver seen;
   CoverageObserver coverage(simulation, trace);
   RunParts parts = simulation.parts();
-  parts.observers = {&summary, &seen, &coverage};
+  parts.observers = {&summary, &seen, &coverage, &progress};
   parts.stop = stop;
   RunLoop(std::move(parts)).run();
   const RunSummary result = summary.summary();
   return {result.correct, result.seconds, std::move(seen.seen)};
+}
+
+JunitOrigin junit_origin() {
+  std::array<char, 256> host{};
+  gethostname(host.data(), host.size() - 1);
+  return {host.data(), fmt::format("{:%FT%T}", fmt::gmtime(std::time(nullptr)))};
 }
 
 int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
@@ -91,11 +136,15 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   files.reads_scripts(run.scripts_root);
   for (const std::filesystem::path& path : options.paths) files.reads(path, "a test");
   files.require_writable(options.junit, "--junit");
+  TestProgress progress(err);
   if (options.simulator) {
-    run.simulate = [&run](const SimulationRequest& request, CoverageTrace& trace, const std::function<bool()>& stop) {
-      return simulate(run.scripts_root, request, trace, stop);
+    run.begin = [&progress](const std::string& file, const std::string& name) { progress.begin(file, name); };
+    run.end = [&progress] { progress.clear(); };
+    run.simulate = [&](const SimulationRequest& request, CoverageTrace& more, const std::function<bool()>& stop) {
+      return simulate(run.scripts_root, request, more, stop, progress);
     };
   }
+  const JunitOrigin origin = junit_origin();
   CoverageTrace trace;
   const TestSummary summary = run_script_tests(run, out, trace);
   std::set<std::string> warnings;
@@ -104,7 +153,8 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   }
   for (const std::string& warning : warnings) spdlog::warn("{}", warning);
   std::vector<std::string> failures;
-  if (!options.junit.empty()) try_to_write(failures, [&] { write_whole_file(options.junit, junit_report(summary)); });
+  if (!options.junit.empty())
+    try_to_write(failures, [&] { write_whole_file(options.junit, junit_report(summary, origin)); });
   if (options.coverage) {
     out << "\n";
     try_to_write(failures, [&] {

@@ -56,7 +56,7 @@ void try_tests(std::string_view text) {
     summary.cases.push_back(std::move(test));
   });
   require(!summary.cases.empty() || asked > kMostQuestions, "each file has a result");
-  for (const char letter : junit_report(summary)) {
+  for (const char letter : junit_report(summary, {"host", "2026-11-29T15:30:00"})) {
     const auto code = static_cast<unsigned char>(letter);
     require(code >= ' ' || letter == '\n' || letter == '\t', "a report has no control characters");
   }

@@ -269,16 +269,43 @@ end))");
 
 TEST_F(ScriptedTests, WriteAReportForCi) {
   run(R"(test("good", function() end) test("bad <&\">", function() expect.equal(1, 2) end))");
-  EXPECT_EQ(junit_report(summary), R"(<?xml version="1.0" encoding="UTF-8"?>
-<testsuite name="reorient test" tests="2" failures="1" skipped="0">
-  <testcase classname="tests/lamp_test.lua" name="good">
+  for (TestCase& test : summary.cases) test.seconds = 0.25;
+  EXPECT_EQ(junit_report(summary, {"nao<1>", "2026-11-29T15:30:00"}), R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuite name="reorient test" timestamp="2026-11-29T15:30:00" hostname="nao&lt;1&gt;" tests="2" failures="1" errors="0" skipped="0" time="0.500">
+  <properties/>
+  <testcase classname="tests/lamp_test.lua" name="good" time="0.250">
   </testcase>
-  <testcase classname="tests/lamp_test.lua" name="bad &lt;&amp;&quot;&gt;">
-    <failure message="tests/lamp_test.lua:1">expected 2
+  <testcase classname="tests/lamp_test.lua" name="bad &lt;&amp;&quot;&gt;" time="0.250">
+    <failure message="tests/lamp_test.lua:1" type="expectation">expected 2
   actual 1</failure>
   </testcase>
+  <system-out/>
+  <system-err/>
 </testsuite>
 )");
+}
+
+TEST_F(ScriptedTests, ReportAllFailuresOfATestInOneElement) {
+  run("test('t', function()\n  expect.equal(1, 2)\n  expect.equal(3, 4)\nend)");
+  const std::string report = junit_report(summary, {});
+  EXPECT_NE(report.find("<failure message=\"tests/lamp_test.lua:2\" type=\"expectation\">expected 2\n  actual 1\n"
+                        "tests/lamp_test.lua:3:\nexpected 4\n  actual 3</failure>"),
+            std::string::npos)
+      << report;
+  EXPECT_EQ(report.find("<failure"), report.rfind("<failure"));
+}
+
+TEST_F(ScriptedTests, AreReportedAsErrorsIfTheirFileCannotRun) {
+  run("test('t', function() end) error('no')");
+  const std::string report = junit_report(summary, {});
+  EXPECT_NE(report.find("tests=\"1\" failures=\"0\" errors=\"1\""), std::string::npos) << report;
+  EXPECT_NE(report.find("<error message=\"tests/lamp_test.lua:1\" type=\"not run\">"), std::string::npos) << report;
+}
+
+TEST_F(ScriptedTests, TakeWallClockTime) {
+  run("test('t', function() for i = 1, 100000 do end end) test('u', function() end)");
+  EXPECT_GT(summary.cases[0].seconds, 0.0);
+  EXPECT_GT(summary.cases[1].seconds, 0.0);
 }
 
 TEST_F(ScriptedTests, AreReportedAsSkippedWithoutASimulator) {
@@ -286,7 +313,7 @@ TEST_F(ScriptedTests, AreReportedAsSkippedWithoutASimulator) {
   EXPECT_EQ(summary.skipped, 1);
   EXPECT_EQ(summary.failed, 0);
   EXPECT_NE(out.str().find("skipped tests/lamp_test.lua: t\n"), std::string::npos) << out.str();
-  EXPECT_NE(junit_report(summary).find("<skipped/>"), std::string::npos);
+  EXPECT_NE(junit_report(summary, {}).find("<skipped/>"), std::string::npos);
 }
 
 TEST_F(ScriptedTests, ApplyExpectationsToAWholeSimulation) {
@@ -617,7 +644,7 @@ TEST_F(ScriptedTests, AreRequiredInAFileOfTests) {
 
 TEST_F(ScriptedTests, MayHaveAnyBytesInTheirNames) {
   run("test('a\\xff\\xc3\\x28\\x01<b>\\xef\\xbf\\xbf', function() expect.equal('\\x00\\x1b', '\"') end)");
-  const std::string report = junit_report(summary);
+  const std::string report = junit_report(summary, {});
   EXPECT_NE(report.find("name=\"a\\xFF\\xC3(\\x01&lt;b&gt;\\xEF\\xBF\\xBF\""), std::string::npos) << report;
   for (const char letter : report) EXPECT_TRUE(letter == '\n' || static_cast<unsigned char>(letter) >= ' ');
 }

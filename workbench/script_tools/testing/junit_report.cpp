@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/script_tools/testing/junit_report.h"
 
+#include <iomanip>
+#include <sstream>
 #include <string_view>
 
 #include "engine/parameters/utf8.h"
@@ -38,22 +40,43 @@ std::string as_xml(const std::string& text) {
   return out;
 }
 
+/// One element for all failures of the test.
+std::string result_of(const TestCase& test) {
+  if (test.skipped) return "    <skipped/>\n";
+  if (test.failures.empty()) return {};
+  std::string text;
+  for (const TestFailure& failure : test.failures) {
+    if (!text.empty()) text += "\n" + as_xml(place_text(failure.file, failure.line, 0)) + ":\n";
+    text += as_xml(failure.text);
+  }
+  const TestFailure& first = test.failures.front();
+  const std::string element = test.has_run ? "failure" : "error";
+  return "    <" + element + " message=\"" + as_xml(place_text(first.file, first.line, 0)) + "\" type=\"" +
+         (test.has_run ? "expectation" : "not run") + "\">" + text + "</" + element + ">\n";
+}
+
 }  // namespace
 
-std::string junit_report(const TestSummary& summary) {
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"reorient test\" tests=\"" +
-                    std::to_string(summary.cases.size()) + "\" failures=\"" + std::to_string(summary.failed) +
-                    "\" skipped=\"" + std::to_string(summary.skipped) + "\">\n";
+std::string junit_report(const TestSummary& summary, const JunitOrigin& origin) {
+  std::ostringstream cases;
+  cases << std::fixed << std::setprecision(3);
+  double seconds = 0.0;
+  int errors = 0;
   for (const TestCase& test : summary.cases) {
-    out += "  <testcase classname=\"" + as_xml(test.file) + "\" name=\"" + as_xml(test.name) + "\">\n";
-    if (test.skipped) out += "    <skipped/>\n";
-    for (const TestFailure& failure : test.failures) {
-      out += "    <failure message=\"" + as_xml(failure.file) + ":" + std::to_string(failure.line) + "\">" +
-             as_xml(failure.text) + "</failure>\n";
-    }
-    out += "  </testcase>\n";
+    seconds += test.seconds;
+    if (!test.has_run) ++errors;
+    cases << "  <testcase classname=\"" << as_xml(test.file) << "\" name=\"" << as_xml(test.name) << "\" time=\""
+          << test.seconds << "\">\n"
+          << result_of(test) << "  </testcase>\n";
   }
-  return out + "</testsuite>\n";
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(3) << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      << "<testsuite name=\"reorient test\" timestamp=\"" << as_xml(origin.timestamp) << "\" hostname=\""
+      << as_xml(origin.hostname) << "\" tests=\"" << summary.cases.size() << "\" failures=\"" << summary.failed - errors
+      << "\" errors=\"" << errors << "\" skipped=\"" << summary.skipped << "\" time=\"" << seconds
+      << "\">\n  <properties/>\n"
+      << cases.str() << "  <system-out/>\n  <system-err/>\n</testsuite>\n";
+  return out.str();
 }
 
 }  // namespace reorient

@@ -2,6 +2,7 @@
 #include "workbench/script_tools/testing/test_runner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -105,7 +106,7 @@ class FileRun {
   void run(CoverageTrace& trace, const std::function<void(TestCase)>& take) {
     std::unique_ptr<TestFile> file = run_again();
     if (file->fault()) {
-      take(TestCase{name_, "can be run", {file->as_failure(*file->fault())}, false});
+      take(TestCase{name_, "can be run", {file->as_failure(*file->fault())}, false, {}, false});
       return;
     }
     const std::vector<std::string> names = file->names();
@@ -116,6 +117,7 @@ class FileRun {
         take(failed(names[i], "not run: " + budget_.reason()));
         continue;
       }
+      if (run_.begin) run_.begin(name_, names[i]);
       if (file == nullptr) file = run_again();
       take(file->names() == names
                ? file->run(i, run_, texts_, budget_, trace)
@@ -127,7 +129,7 @@ class FileRun {
  private:
   std::unique_ptr<TestFile> run_again() const { return std::make_unique<TestFile>(name_, text_, run_.instructions); }
   TestCase failed(const std::string& name, const std::string& why) const {
-    return {name_, name, {{name_, 0, why}}, false};
+    return {name_, name, {{name_, 0, why}}, false, {}, false};
   }
 
   const std::string& name_;
@@ -194,9 +196,13 @@ TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrac
   const std::filesystem::path all[] = {run.scripts_root / "tests"};
   TestSummary summary;
   const ScriptTexts texts = read_scripts(run.scripts_root);
+  auto began = std::chrono::steady_clock::now();
   for (const std::filesystem::path& file : find_tests(run.paths.empty() ? all : std::span(run.paths))) {
     const std::string name = path_below(run.scripts_root, file).value_or(file.string());
     run_test_text(name, read(file), run, texts, trace, [&](TestCase test) {
+      const auto ended = std::chrono::steady_clock::now();
+      test.seconds = std::chrono::duration<double>(ended - std::exchange(began, ended)).count();
+      if (run.end) run.end();
       report(test, out);
       out.flush();  // shows each test as it ends
       ++(test.skipped ? summary.skipped : test.failures.empty() ? summary.passed : summary.failed);

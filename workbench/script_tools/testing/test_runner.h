@@ -22,6 +22,8 @@ struct TestCase {
   std::vector<TestFailure> failures;  ///< empty: it passed
   bool skipped = false;               ///< it requires the simulator, which is not available
   std::set<std::string> warnings{};   ///< of former names that it uses
+  bool has_run = true;                ///< false: its file cannot run, or the time of its file was over
+  double seconds = 0.0;               ///< in wall-clock time
 };
 
 struct TestSummary {
@@ -40,7 +42,9 @@ struct TestRun {
   PlayRecording play_recording;              ///< empty: tests that replay a recording fail
   double timeout = 60.0;                     ///< s in wall-clock time for each test; a file has ten times that
   std::function<bool()> stop;                ///< called before each frame; empty: no interrupt
-  std::int64_t instructions = 50'000'000;    ///< limit of Lua instructions for each test
+  std::function<void(const std::string& file, const std::string& name)> begin{};  ///< before each test; may be empty
+  std::function<void()> end{};             ///< after each test, before its result is written; may be empty
+  std::int64_t instructions = 50'000'000;  ///< limit of Lua instructions for each test
 };
 
 /// Writes one line per test and each failure with file, line, expected and actual value. Fills `trace`
