@@ -13,33 +13,6 @@ namespace {
 
 constexpr std::size_t kColumns = 100, kTextColumn = 26, kExampleColumn = 62;
 
-/// `text` behind `name`, which is indented by two blanks; each line of the text begins at `column`.
-std::string wrapped(const std::string& name, const std::string& text, std::size_t column) {
-  std::string page = name.empty() ? "" : "  " + name;
-  std::string line = page;
-  const auto end_line = [&] {
-    page += "\n";
-    line.clear();
-  };
-  if (line.size() + 2 > column && column > 0) end_line();
-  bool is_first = true;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (!is_first && line.size() + 1 + word.size() > kColumns) {
-      end_line();
-      is_first = true;
-    }
-    std::string addition = is_first ? std::string(column - std::min(column, line.size()), ' ') : " ";
-    addition += word;
-    page += addition;
-    line += addition;
-    is_first = false;
-  }
-  return page + "\n";
-}
-
 std::string sentence(std::string text) {
   if (text.empty()) return text;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
@@ -82,6 +55,32 @@ std::string default_of(const CLI::Option& option) {
 
 }  // namespace
 
+std::string wrapped(const std::string& name, const std::string& text, std::size_t column) {
+  std::string page = name.empty() ? "" : "  " + name;
+  std::string line = page;
+  const auto end_line = [&] {
+    page += "\n";
+    line.clear();
+  };
+  if (line.size() + 2 > column && column > 0) end_line();
+  bool is_first = true;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (!is_first && line.size() + 1 + word.size() > kColumns) {
+      end_line();
+      is_first = true;
+    }
+    std::string addition = is_first ? std::string(column - std::min(column, line.size()), ' ') : " ";
+    addition += word;
+    page += addition;
+    line += addition;
+    is_first = false;
+  }
+  return page + "\n";
+}
+
 std::string placeholder_of(const CLI::Option& option) {
   if (option.get_type_size() == 0) return {};
   const std::string type = option.get_type_name();
@@ -101,12 +100,12 @@ std::string path_of(const CLI::App& app) {
 }
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* command) { return !command->get_name().empty(); });
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }
 
 bool HelpFormatter::is_listed(const CLI::Option& option) const { return !option.get_group().empty(); }
 
-HelpFormatter::Entry HelpFormatter::entry_of(const CLI::Option& option) const {
+HelpPage::Entry HelpFormatter::entry_of(const CLI::Option& option) const {
   std::string name;
   for (const std::string& letter : option.get_snames()) name.append(name.empty() ? "-" : ", -").append(letter);
   for (const std::string& word : option.get_lnames()) name.append(name.empty() ? "--" : ", --").append(word);
@@ -126,57 +125,80 @@ HelpFormatter::Entry HelpFormatter::entry_of(const CLI::Option& option) const {
 
 std::string HelpFormatter::command_of(const CLI::App& app) const { return path_of(app); }
 
-std::string HelpFormatter::make_help(const CLI::App* app, std::string /*name*/, CLI::AppFormatMode /*mode*/) const {
-  std::vector<const CLI::Option*> arguments;
-  std::vector<std::pair<std::string, std::vector<const CLI::Option*>>> groups;
-  const auto add = [&groups](const std::string& name, const CLI::Option* option) {
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == name; });
-    if (group != groups.end())
-      group->second.push_back(option);
+HelpPage HelpFormatter::page_of(const CLI::App& app) const {
+  HelpPage page{.command = command_of(app),
+                .usage = {},
+                .purpose = sentence(app.get_description()),
+                .commands = {},
+                .arguments = {},
+                .groups = {},
+                .note = note(),
+                .examples = examples_of(app)};
+  const auto add = [&page](const std::string& name, HelpPage::Entry entry) {
+    const auto group =
+        std::find_if(page.groups.begin(), page.groups.end(), [&](const auto& one) { return one.name == name; });
+    if (group != page.groups.end())
+      group->options.push_back(std::move(entry));
     else
-      groups.push_back({name, {option}});
+      page.groups.push_back({name, {std::move(entry)}});
   };
-  for (const CLI::Option* option : app->get_options()) {
-    if (option == app->get_help_ptr() || !is_listed(*option)) continue;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option == app.get_help_ptr() || !is_listed(*option)) continue;
     if (option->get_positional())
-      arguments.push_back(option);
+      page.arguments.push_back(entry_of(*option));
     else
-      add(option->get_group(), option);
+      add(option->get_group(), entry_of(*option));
   }
-  const std::string own = app->get_help_ptr()->get_group();
-  add(own != kPlainGroup || groups.empty() ? own
-      : groups.size() == 1                 ? groups.front().first
-                                           : "Help",
-      app->get_help_ptr());
+  const std::string own = app.get_help_ptr()->get_group();
+  add(own != kPlainGroup || page.groups.empty() ? own
+      : page.groups.size() == 1                 ? page.groups.front().name
+                                                : "Help",
+      entry_of(*app.get_help_ptr()));
 
-  const std::vector<const CLI::App*> commands = commands_of(*app);
-  const std::string command = command_of(*app);
-  std::string usage = "Usage: " + command + " [OPTIONS]";
+  for (const CLI::App* command : commands_of(app))
+    page.commands.push_back({command->get_name(), command->get_description()});
+  std::string usage = page.command + " [OPTIONS]";
   // An argument is optional for the parser also because a command may take its place.
-  for (const CLI::Option* argument : arguments) {
-    const Entry entry = entry_of(*argument);
-    usage += entry.is_required || !commands.empty() ? " " + entry.name : " [" + entry.name + "]";
-  }
-  if (!commands.empty()) usage += arguments.empty() ? " COMMAND" : "\n       " + command + " COMMAND";
-  std::string page = usage + "\n\n" + wrapped("", sentence(app->get_description()), 0);
-
-  if (!commands.empty()) page += "\nCommands:\n";
-  std::size_t column = 0;
-  for (const CLI::App* one : commands) column = std::max(column, one->get_name().size() + 4);
-  for (const CLI::App* one : commands) page += wrapped(one->get_name(), one->get_description(), column);
-  if (!arguments.empty()) page += "\nArguments:\n";
-  const auto add_entry = [&](const CLI::Option* option) {
-    const Entry entry = entry_of(*option);
-    page += wrapped(entry.name, entry.text, kTextColumn);
-  };
-  for (const CLI::Option* argument : arguments) add_entry(argument);
-  for (const auto& [name, options] : groups) {
-    page += "\n" + name + ":\n";
-    for (const CLI::Option* option : options) add_entry(option);
-  }
-  if (const std::string text = note(); !text.empty()) page += "\n" + wrapped("", text, 0);
-  if (const std::string examples = examples_of(*app); !examples.empty()) page += "\n" + examples;
+  for (const HelpPage::Entry& argument : page.arguments)
+    usage += argument.is_required || !page.commands.empty() ? " " + argument.name : " [" + argument.name + "]";
+  if (!page.commands.empty() && page.arguments.empty()) usage += " COMMAND";
+  page.usage.push_back(usage);
+  if (!page.commands.empty() && !page.arguments.empty()) page.usage.push_back(page.command + " COMMAND");
   return page;
+}
+
+std::string HelpFormatter::make_help(const CLI::App* app, std::string /*name*/, CLI::AppFormatMode /*mode*/) const {
+  const HelpPage page = page_of(*app);
+  std::string text;
+  for (const std::string& usage : page.usage) text.append(text.empty() ? "Usage: " : "       ").append(usage) += '\n';
+  text += "\n" + wrapped("", page.purpose, 0);
+  if (!page.commands.empty()) text += "\nCommands:\n";
+  std::size_t column = 0;
+  for (const HelpPage::Entry& command : page.commands) column = std::max(column, command.name.size() + 4);
+  for (const HelpPage::Entry& command : page.commands) text += wrapped(command.name, command.text, column);
+  if (!page.arguments.empty()) text += "\nArguments:\n";
+  for (const HelpPage::Entry& argument : page.arguments) text += wrapped(argument.name, argument.text, kTextColumn);
+  for (const HelpPage::Group& group : page.groups) {
+    text += "\n" + group.name + ":\n";
+    for (const HelpPage::Entry& option : group.options) text += wrapped(option.name, option.text, kTextColumn);
+  }
+  if (!page.note.empty()) text += "\n" + wrapped("", page.note, 0);
+  if (!page.examples.empty()) text += "\n" + page.examples;
+  return text;
+}
+
+std::string help_text(const CLI::App& app) {
+  return app.get_formatter()->make_help(&app, app.get_name(),
+                                        CLI::AppFormatMode::Normal);  // App::help() asks the parsed command
+}
+
+std::vector<HelpPage> all_pages_of(const CLI::App& app) {
+  const auto* const formatter = dynamic_cast<const HelpFormatter*>(app.get_formatter().get());
+  std::vector<HelpPage> pages = formatter != nullptr ? formatter->pages_of(app) : std::vector<HelpPage>();
+  for (const CLI::App* command : commands_of(app)) {
+    for (HelpPage& page : all_pages_of(*command)) pages.push_back(std::move(page));
+  }
+  return pages;
 }
 
 std::string HelpFormatter::examples_of(const CLI::App& app) const { return app.get_footer(); }

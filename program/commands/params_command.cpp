@@ -8,22 +8,16 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/frame.h"
 #include "engine/parameters/nearest_name.h"
 #include "program/help.h"
 #include "program/named_files.h"
 #include "program/options.h"
+#include "program/parameter_list.h"
 #include "program/parameter_modules.h"
 #include "program/program.h"
-#include "program/robots.h"
-#include "program/run/simulation.h"
-#include "program/run/venue.h"
 #include "program/subcommand.h"
-#include "workbench/files/body_file.h"
-#include "workbench/files/field_file.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/files/script_files.h"
-#include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
 namespace {
@@ -59,33 +53,12 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
   return {names.begin(), names.end()};
 }
 
-/// Parameters of the engine with all behaviors, of all scenarios, and of every robot.
-std::vector<Parameter> all_parameters(const ScriptTexts& texts, const ParamsOptions& options,
-                                      const std::vector<ParameterChange>& overrides) {
-  FrameSetup setup;
-  setup.body = load_body(body_file(options.body));
-  setup.field = load_field(field_file(options.field, setup.body));
-  setup.scripts = texts;
-  setup.behaviors = texts.in_folder("behaviors");
-  setup.parameters = overrides;
-  std::vector<std::vector<Parameter>> lists{FrameLoop(setup).parameters()};
-  const RecordedBehaviors no_behaviors;
-  for (const std::string& file : texts.in_folder("scenarios"))
-    lists.push_back(ScenarioHost(texts, file, overrides, no_behaviors).parameters().list());
-  RobotOptions robot;
-  robot.body = setup.body;
-  robot.field = setup.field;
-  robot.parameters = overrides;
-  for (const std::string& name : robot_names()) lists.push_back(robot_parameters(name, robot));
-  return merged(std::move(lists));
-}
-
 int params(const ParamsOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
   require_writable_output(options.save, "--save-params", root);
   const std::vector<ParameterChange> overrides = overrides_of(options.overrides);
   const ScriptTexts texts = read_scripts(root);
-  const std::vector<Parameter> all = all_parameters(texts, options, overrides);
+  const std::vector<Parameter> all = all_parameters(texts, options.body, options.field, overrides);
   std::set<std::string> loaded;
   for (const char* folder : {"behaviors", "scenarios"}) {
     for (const std::string& file : texts.in_folder(folder)) loaded.insert(module_of_script(file));

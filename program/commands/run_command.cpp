@@ -310,12 +310,22 @@ class RunHelp : public HelpFormatter {
  public:
   explicit RunHelp(std::shared_ptr<const RunOptions> options) : options_(std::move(options)) {}
 
+  std::vector<HelpPage> pages_of(const CLI::App& app) const override {
+    std::vector<HelpPage> pages;
+    for (const auto& [robot, name] : kRobots) {
+      const auto options = std::make_shared<RunOptions>(*options_);
+      options->robot = name;
+      pages.push_back(RunHelp(options).page_of(app));
+    }
+    return pages;
+  }
+
  protected:
   bool is_listed(const CLI::Option& option) const override {
     return HelpFormatter::is_listed(option) && (robots_that_use(option) & robot_named(options_->robot)) != 0;
   }
 
-  Entry entry_of(const CLI::Option& option) const override {
+  HelpPage::Entry entry_of(const CLI::Option& option) const override {
     if (option.get_positional() && options_->robot == kFootage)
       return {"SOURCE", "folder of images, video or log", true};
     return HelpFormatter::entry_of(option);

@@ -74,7 +74,18 @@ TEST(Help, ListsAllCommands) {
   const std::vector<CommandPath> all = all_commands();
   for (const CommandPath& words : {CommandPath{"run"}, {"experiment", "tables"}, {"model", "merge"}, {"room", "rate"}})
     EXPECT_NE(std::find(all.begin(), all.end(), words), all.end()) << joined(words);
-  EXPECT_EQ(section_of(help_of({}), "Commands").size(), 16U);
+  EXPECT_EQ(section_of(help_of({}), "Commands").size(), 18U);
+}
+
+TEST(Help, IsPrintedByACommandToo) {
+  for (const CommandPath& words : all_commands()) {
+    CommandPath asked{"help"};
+    asked.insert(asked.end(), words.begin(), words.end());
+    EXPECT_EQ(run_reorient(asked).out, help_of(words)) << joined(asked);
+  }
+  const ProgramRun mistyped = run_reorient({"help", "room", "rat"});
+  EXPECT_EQ(mistyped.code, kBadInput);
+  EXPECT_EQ(mistyped.err, "reorient: unknown command 'room rat' (did you mean 'rate'?)\n");
 }
 
 TEST(Help, FitsAPageOf100ColumnsAnd60Lines) {
