@@ -70,7 +70,7 @@ class Machine {
   /// Path of the innermost active state; empty before the start.
   const std::string& state() const;
   NameId state_id() const;
-  double entered_at(int state) const { return entered_[state]; }
+  double entered_at(int state) const { return entered_[static_cast<std::size_t>(state)]; }
   double entered_at() const;                 ///< the innermost active state
   NameId reason() const { return reason_; }  ///< of the previous transition
 

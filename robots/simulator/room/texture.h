@@ -28,9 +28,12 @@ struct LinearImage {
         height(rows),
         pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), color) {}
 
-  LinearColor& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x]; }
-  const LinearColor& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x];
+  LinearColor& at(int x, int y) { return pixels[index(x, y)]; }
+  const LinearColor& at(int x, int y) const { return pixels[index(x, y)]; }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 };
 
@@ -126,7 +129,9 @@ template <typename Take>
     const int points = count - begin < kBlock ? count - begin : kBlock;
     const float* __restrict from_left = u + begin;
     const float* __restrict from_below = v + begin;
+#ifndef __clang__  // which does not know this hint
 #pragma GCC ivdep
+#endif
     for (int i = 0; i < points; ++i) {
       const float column = limit(from_left[i] * l.scale_u + 0.5f, l.last_column);
       const float row = limit(from_below[i] * l.scale_v + 0.5f, l.last_row);
