@@ -139,6 +139,7 @@ field = {}
 ---@field carried boolean whether the robot is truly in the air
 truth = {}
 
+---@class reorient.command
 command = {}
 
 ---Requests that the mirrored pose replace the believed pose in this frame.
@@ -156,6 +157,7 @@ function command.pause_training() end
 ---Pauses the evaluation of the room until the calling state is left.
 function command.pause_evaluation() end
 
+---@class reorient.head
 head = {}
 
 ---Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Valid for one frame.
@@ -164,6 +166,7 @@ head = {}
 ---@param speed? number
 function head.look(yaw, pitch, speed) end
 
+---@class reorient.walk
 walk = {}
 
 ---Walks with this velocity (m/s, m/s, rad/s to the left). Valid for one frame.
@@ -175,11 +178,13 @@ function walk.velocity(forward, left, turn) end
 ---Stands still; counts as a walk request. Valid for one frame.
 function walk.stand() end
 
+---@class reorient.motion
 motion = {}
 
 ---Gets up after a fall. Valid for one frame.
 function motion.get_up() end
 
+---@class reorient.team
 team = {}
 
 ---Number of messages received from teammates in this frame.
@@ -200,6 +205,7 @@ function team.text(which) end
 ---@param text string
 function team.send(text) end
 
+---@class reorient.log
 log = {}
 
 ---Writes a line to the run's log, with time and state.
@@ -214,6 +220,7 @@ function log.note(text) end
 ---@return number
 function time_in_state() end
 
+---@class reorient.operator
 operator = {}
 
 ---Lifts the robot.
@@ -265,6 +272,7 @@ function operator.tell_message(sender, text) end
 ---Signals that the teams change sides. The robot stays in place, and from then on all poses are in the axes of the new half.
 function operator.half_time() end
 
+---@class reorient.chance
 chance = {}
 
 ---A random number, at least low and less than high, from the run's seed.
@@ -273,6 +281,7 @@ chance = {}
 ---@return number
 function chance.between(low, high) end
 
+---@class reorient.verdict
 verdict = {}
 
 ---Ends the run as succeeded, with a reason.
@@ -284,6 +293,7 @@ function verdict.succeed(text) end
 function verdict.fail(text) end
 
 ---@deprecated
+---@type reorient.operator
 experimenter = operator
 
 do
@@ -491,6 +501,7 @@ function print(...) end
 ---@field field? table<string, number|boolean|string>
 ---@field truth? table<string, number|boolean|string>
 
+---@class reorient.expect
 expect = {}
 
 ---Declares a test. The file runs again for each test in a new sandbox, with its own world, clock and scripts. A test is limited to 60 s (`--timeout`) and to 36 000 s of the robot's time, all tests of a file together to ten times that.

@@ -55,6 +55,31 @@ TEST(GeneratedFiles, TheLuacheckConfigurationMatchesTheBindings) {
   expect_committed(kScripts / ".luacheckrc", script_luacheck());
 }
 
+/// Without a class, an editor does not warn of a function that the table lacks, such as command.flip().
+TEST(EditorAnnotations, GiveEachTableAClass) {
+  std::istringstream lines(read(kScripts / "annotations" / "reorient.lua"));
+  std::string before;
+  int tables = 0;
+  for (std::string line; std::getline(lines, line); before = line) {
+    if (!line.ends_with(" = {}")) continue;
+    ++tables;
+    EXPECT_TRUE(before.starts_with("---@field") || before.starts_with("---@class") || before.starts_with("---@type"))
+        << line;
+  }
+  EXPECT_GE(tables, 20);
+}
+
+TEST(EditorSettings, AtTheTopAreThoseOfTheScripts) {
+  std::string top = read(std::filesystem::path(kSourceFolder) / ".luarc.json");
+  const auto replace = [&top](const std::string& one, const std::string& other) {
+    ASSERT_NE(top.find(one), std::string::npos) << one;
+    top.replace(top.find(one), one.size(), other);
+  };
+  replace("\"scripts/annotations\"", "\"annotations\"");
+  replace(",\n  \"workspace.ignoreDir\": [\"build\", \"out\"]", "");
+  EXPECT_EQ(top, read(kScripts / ".luarc.json"));
+}
+
 void expect_documented_once(const ScriptLanguage& language) {
   std::set<std::string> names;
   for (const WorldField& field : language.world()) {

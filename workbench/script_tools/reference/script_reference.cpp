@@ -192,12 +192,15 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
   std::set<std::string> tables;
   for (const ScriptFunction* one : all_functions()) {
     const ScriptFunction& function = *one;
-    if (!function.table.empty() && tables.insert(function.table).second) out << function.table << " = {}\n\n";
+    // A class, so that an editor warns of functions that the table does not have.
+    if (!function.table.empty() && tables.insert(function.table).second)
+      out << "---@class reorient." << function.table << "\n" << function.table << " = {}\n\n";
     out << "---" << function.description << "\n"
         << to_annotation({function.table, function.name, function.arguments, function.result}) << "\n\n";
   }
   for (const FormerTable& former : scenarios().former_tables())
-    out << "---@deprecated\n" << former.name << " = " << former.replacement << "\n\n";
+    out << "---@deprecated\n---@type reorient." << former.replacement << "\n"
+        << former.name << " = " << former.replacement << "\n\n";
   write_library_annotations(out, libraries);
   write_annotations(out, language_words(), libraries);
   for (const NameType& type : name_types()) {
@@ -207,7 +210,7 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
   out << "\n---@class " << kWorldType << "\n";
   for (const WorldTable& table : scenarios().tables())
     out << "---@field " << table.name << "? table<string, number|boolean|string>\n";
-  out << "\nexpect = {}\n\n";
+  out << "\n---@class reorient.expect\nexpect = {}\n\n";
   write_annotations(out, test_words(), libraries);
   std::string text = out.str();
   text.pop_back();
