@@ -2,9 +2,12 @@
 // reorient check, graph, new, params and test, as a user calls them.
 #include <algorithm>
 #include <fstream>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
@@ -308,6 +311,36 @@ TEST_F(CommandsTest, ASimulatedTestChoosesItsRoom) {
   EXPECT_NE(result("room = \"gone.hdr\"").out.find("unknown room '"), std::string::npos);
   EXPECT_NE(result("hall_seed = -1").out.find("hall_seed: expected a non-negative whole number"), std::string::npos);
   EXPECT_NE(result("room = \"a.hdr\", hall_seed = 1").out.find("found both"), std::string::npos);
+}
+
+/// All keys of an object, and those of the objects in it.
+std::set<std::string> keys_of(const nlohmann::json& json) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    if (value.is_structured()) keys.merge(keys_of(value));
+  }
+  return keys;
+}
+
+TEST_F(CommandsTest, EachKeyOfTheSummaryIsDocumented) {
+  const std::string file = path("run.json");
+  run({"run", "--seconds", "3", "--width", "160", "--no-pictures", "--json", file});
+  const std::string page = read_whole_file(kProjectFolder / "docs/run-summary.md").value_or("");
+  const std::string source = read_whole_file(kProjectFolder / "program/run/report.cpp").value_or("");
+  const std::set<std::string> written = keys_of(nlohmann::json::parse(read_whole_file(file).value_or("")));
+  EXPECT_GE(written.size(), 40U);
+  for (const std::string& key : written) EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+  std::istringstream rows(page);
+  for (std::string row; std::getline(rows, row);) {
+    if (!row.starts_with("| `")) continue;
+    for (std::size_t begin = row.find('`'); begin != std::string::npos; begin = row.find('`', begin)) {
+      const std::string key = row.substr(begin + 1, row.find('`', begin + 1) - begin - 1);
+      begin += key.size() + 2;
+      EXPECT_TRUE(key.starts_with("--") || source.find("\"" + key + "\"") != std::string::npos)
+          << "documented, but not written: " << key;
+    }
+  }
 }
 
 TEST_F(CommandsTest, TestWritesAReportAndCoverage) {
