@@ -6,8 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "robots/robot.h"
 
@@ -16,7 +19,8 @@ namespace reorient {
 inline constexpr std::uint16_t kGameControllerPort = 3838;        ///< UDP, broadcast to all robots
 inline constexpr std::uint16_t kGameControllerReturnPort = 3939;  ///< UDP, answers to the sender of the datagrams
 
-/// One robot's view of the game. Ignores datagrams that are not exactly in the expected format or not about this team.
+/// One robot's view of the game. Ignores datagrams that are not exactly in the expected format or not about this team:
+/// then the last state stays valid, which is GameState::unknown until the first datagram is used.
 class GameController {
  public:
   /// `team`: number of the team in the league, 1 to 254; `player`: 1 to 20. With other numbers it ignores all
@@ -25,21 +29,50 @@ class GameController {
 
   int team() const { return team_; }
   int player() const { return player_; }
+  /// For another robot: drops what is known about the game.
+  void set_robot(int team, int player) {
+    team_ = team;
+    player_ = player;
+    last_.reset();
+    sides_.reset();
+  }
 
-  /// Adds what has changed to `external`. At the end of a half the teams change sides. Returns false if the datagram is
-  /// not from a GameController, or about a game of other teams.
+  /// Adds what has changed to `external`. `external.half_time`: the teams changed sides since the last datagram that
+  /// was used, even if that was long ago. Returns false and changes nothing if the datagram is ignored.
   bool read(std::span<const std::byte> datagram, ExternalInputs& external);
+
+  /// One line about the last ignored datagram: what was found and what was expected. Empty if the datagram was used, or
+  /// if another datagram was ignored for the same type of reason before.
+  std::string take_complaint() { return std::exchange(complaint_, {}); }
 
   /// Saved, because a half may end while no engine runs.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    archive(self.team_, self.player_, self.last_, self.first_half_);
+    archive(self.team_, self.player_, self.last_, self.sides_);
   }
 
  private:
+  /// What a datagram contains about the goal that this team defends.
+  struct Sides {
+    bool is_first_team = false;    ///< this team comes first in the datagram
+    bool is_first_half = false;    ///< of regular time
+    bool is_regular_time = false;  ///< neither extra time nor a penalty shoot-out
+
+    template <typename Archive>
+    static void archive(Archive& archive, auto& self) {
+      archive(self.is_first_team, self.is_first_half, self.is_regular_time);
+    }
+  };
+
+  /// Types of reasons to ignore a datagram.
+  enum class Reason : unsigned { robot, header, version, size, state, teams };
+  bool ignore(Reason reason, const std::function<std::string()>& describe);
+
   int team_, player_;
   std::optional<RefereeState> last_;
-  std::optional<bool> first_half_;
+  std::optional<Sides> sides_;
+  unsigned reported_ = 0;  // one bit for each Reason
+  std::string complaint_;
 };
 
 /// Answer of a robot on kGameControllerReturnPort: version 4, once or twice a second.

@@ -217,12 +217,16 @@ void Companion::take_game(std::span<const std::byte> body) {
                      std::to_string(sizeof(game)) + ")");
   if (game.size > REORIENT_LONGEST_DATAGRAM)
     throw BadMessage("game: datagram of " + std::to_string(game.size) + " bytes (expected at most 256)");
-  constexpr std::uint32_t kMost = 255;  // teams, players
-  if (game.team > kMost || game.player > kMost) return;
-  const int team = static_cast<int>(game.team), player = static_cast<int>(game.player);
-  if (game_.team() != team || game_.player() != player) game_ = GameController(team, player);
+  constexpr std::uint32_t kMost = 1000;  // more than any team or player
+  const auto team = static_cast<int>(std::min(game.team, kMost)),
+             player = static_cast<int>(std::min(game.player, kMost));
+  if (game_.team() != team || game_.player() != player) game_.set_robot(team, player);
   ExternalInputs inputs;
   game_.read(std::as_bytes(std::span(game.datagram).first(game.size)), inputs);
+  if (const std::string complaint = game_.take_complaint(); !complaint.empty()) {
+    tell_note(NoteKind::fault, complaint);
+    if (options_.tell) options_.tell(complaint);
+  }
   pending_.add(inputs);
 }
 

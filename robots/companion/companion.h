@@ -33,6 +33,8 @@ struct CompanionOptions {
   std::function<double()> now;    ///< s, of a monotonic clock
   std::function<bool()> is_over;  ///< called every `patience` seconds while nothing arrives
   double patience = 0.1;          ///< s
+  /// Called with one line for the operator, which may contain bytes of the client; may be empty.
+  std::function<void(const std::string& line)> tell = {};
 };
 
 /// Notes that the client gets besides answers.

@@ -158,7 +158,10 @@ void Nao::read_referee(double now) {
   for (int i = 0; i < kAtOnce; ++i) {
     const std::span<const std::byte> datagram = around_.referee->receive();
     if (datagram.empty()) return;
-    if (!game_.read(datagram, external_)) continue;
+    const bool is_used = game_.read(datagram, external_);
+    if (const std::string complaint = game_.take_complaint(); !complaint.empty() && around_.tell)
+      around_.tell(complaint);
+    if (!is_used) continue;
     around_.referee->accept_sender();
     if (now < next_return_) continue;
     next_return_ = now + kReturnPeriod;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/camera_offset.h"
@@ -56,7 +57,8 @@ struct NaoSurroundings {
   std::function<SharedBody*()> body;
   /// Called once for each input that is missing for 2 s, until all inputs arrive again; may be empty.
   std::function<void(Missing what)> tell_missing;
-  RunErrand run_errand = run_at_once;  ///< runs calls of a camera that may take seconds
+  std::function<void(const std::string& line)> tell;  ///< called with one line for the operator; may be empty
+  RunErrand run_errand = run_at_once;                 ///< runs calls of a camera that may take seconds
   VideoDevice* upper = nullptr;
   VideoDevice* lower = nullptr;    ///< nullptr: only the upper camera is used
   RefereePort* referee = nullptr;  ///< nullptr: no datagrams are received

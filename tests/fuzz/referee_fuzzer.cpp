@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "robots/game_controller.h"
 #include "tests/fuzz/promises.h"
@@ -19,6 +20,10 @@ void read_datagrams(std::span<const std::byte> bytes) {
     ExternalInputs external;
     const bool accepted = game.read(bytes.subspan(1, size), external);
     require(accepted || (!external.referee && !external.half_time), "a rejected datagram has no effect");
+    if (const std::string complaint = game.take_complaint(); !complaint.empty()) {
+      require(!accepted, "only an ignored datagram has a complaint");
+      require_message(complaint);
+    }
     if (external.referee) {
       require(static_cast<int>(external.referee->state) < enum_count(GameState{}), "the state is known");
       require(!to_string(external.referee->state).empty(), "the state has a name");

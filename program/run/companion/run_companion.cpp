@@ -20,6 +20,7 @@
 #include "program/monotonic_clock.h"
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
+#include "program/run/console/name_pattern.h"
 #include "program/run/live_run.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
@@ -144,7 +145,17 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
        .scripts = options.scripts},
       history_path());
   const auto is_over = [&] { return is_ended_by_hand(console); };
-  Companion companion({socket, known_robots(), random_number(), monotonic_clock, is_over});
+  LiveRun* live_now = nullptr;
+  const auto tell = [&](const std::string& line) {
+    if (live_now != nullptr) return live_now->tell(printable(line));
+    err << "reorient: " << printable(line) << "\n" << std::flush;
+  };
+  Companion companion({.socket = socket,
+                       .known = known_robots(),
+                       .server = random_number(),
+                       .now = monotonic_clock,
+                       .is_over = is_over,
+                       .tell = tell});
   err << "reorient: listening at " << socket.string() << "; waiting for a client\n" << std::flush;
 
   bool fresh = options.fresh;
@@ -181,12 +192,13 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     engine_now = engine.get();
     companion.begin(handshake, continues, static_cast<int>(behaviors));
     err << fmt::format("reorient: client connected: {}, field of {:.1f} x {:.1f} m, {} localization, {}, {}\n",
-                       handshake.body.name, handshake.field.length, handshake.field.width,
+                       printable(handshake.body.name), handshake.field.length, handshake.field.width,
                        handshake.own_localization ? "its own" : "Reorient's", counted(behaviors, "behavior"),
                        continues ? "continues from the saved state" : "starts without knowledge")
         << std::flush;
 
     LiveRun live(options, console, out, err);
+    live_now = &live;
     CompanionReport report(companion);
     auto owned = std::make_unique<KeptCompanion>(companion, keeper);
     KeptCompanion* const robot = owned.get();
@@ -205,6 +217,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       for (std::size_t i = before; i < failures.size(); ++i) err << "reorient: " << failures[i] << "\n" << std::flush;
     }
     engine_now = nullptr;
+    live_now = nullptr;
     if (is_over() || !companion.has_other_robot()) break;
   }
   const Companion::Counts& counts = companion.counts();

@@ -19,7 +19,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x32706d6f43725272ull;  // "rRrComp2": another layout gets another number
+constexpr std::uint64_t kMagic = 0x33706d6f43725272ull;  // "rRrComp3": another layout gets another number
 constexpr double kPeriod = 1.0, kUrgentPeriod = 0.1;     // s
 /// s, by the wall clock; a robot that was not tracked for longer may be anywhere.
 constexpr double kOldest = 600.0;

@@ -50,7 +50,8 @@ nao::NaoSurroundings NaoHardware::surroundings(std::function<bool()> is_over,
   around.now = monotonic_clock;
   around.wait = wait_for;
   around.is_over = std::move(is_over);
-  around.tell_missing = [tell = std::move(tell)](nao::Missing missing) { tell(description_of(missing)); };
+  around.tell_missing = [tell](nao::Missing missing) { tell(description_of(missing)); };
+  around.tell = std::move(tell);
   around.body = [this] { return guards_memory(monotonic_clock()); };
   around.run_errand = nao::run_apart;
   around.upper = &upper_;

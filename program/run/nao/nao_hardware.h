@@ -24,7 +24,8 @@ class NaoHardware {
   /// Throws std::runtime_error with one line if the referee's port cannot be opened.
   explicit NaoHardware(const Options& options);
 
-  /// Valid as long as this object. `tell`: called once for each part that is missing for a while, with the fix.
+  /// Valid as long as this object. `tell`: called with lines for the operator, such as a part that is missing
+  /// for a while, with the fix.
   nao::NaoSurroundings surroundings(std::function<bool()> is_over, std::function<void(const std::string&)> tell);
 
  private:

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,8 @@ class CompanionTest : public ::testing::Test {
             77,
             [this] { return now_; },
             [this] { return ++looks_ > 3; },
-            0.0};
+            0.0,
+            [this](const std::string& line) { told_.push_back(line); }};
   }
 
   /// One frame, if one has arrived.
@@ -63,6 +65,7 @@ class CompanionTest : public ::testing::Test {
   double now_ = 1000.0;
   int looks_ = 0;
   bool begun_ = false;
+  std::vector<std::string> told_;  // lines for the operator
   std::optional<Companion> companion_;
 };
 
@@ -96,6 +99,62 @@ TEST_F(CompanionTest, ReceivesTheGameFromItsClient) {
   observation = observed();
   ASSERT_TRUE(observation);
   EXPECT_FALSE(observation->external.referee);
+}
+
+TEST_F(CompanionTest, ReportsEachReasonToIgnoreADatagramOfTheGameOnce) {
+  RawClient client = greeted();
+  reorient_game game = game_of(true);
+  game.datagram[4] = 21;
+  for (std::uint32_t player : {3u, 4u}) {
+    game.player = player;
+    client.send(REORIENT_GAME, game);
+  }
+  game = game_of(true);
+  game.player = 0xffff'ffffu;
+  client.send(REORIENT_GAME, game);
+  client.send_frame(33.0, 1);
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->external.referee);
+  companion_->answer({});
+  std::vector<std::string> notes;
+  for (const RawClient::Heard& heard : client.hear()) {
+    if (heard.kind == REORIENT_NOTE) notes.push_back(text_of(heard.as<reorient_note>().text));
+  }
+  const std::vector<std::string> expected{
+      "GameController: datagram ignored: expected version 18, 19 or 20, found version 21",
+      "GameController: datagram ignored: expected a team of 1 to 254 and a player of 1 to 20, found team 5 and player "
+      "1000"};
+  EXPECT_EQ(notes, expected);
+  EXPECT_EQ(told_, expected) << "for the operator, too";
+}
+
+TEST_F(CompanionTest, AppliesAHalfTimeThatIsFirstReportedDuringPlay) {
+  RawClient client = greeted();
+  client.send(REORIENT_GAME, game_of(true));
+  client.send_frame(33.0, 1);
+  ASSERT_TRUE(observed());
+  std::vector<std::byte> saved;
+  ByteWriter{saved}(*companion_);
+  // The companion was killed in the first half, and its client restarts in the second.
+  companion_.reset();
+  companion_.emplace(options());
+  ByteReader{saved}(*companion_);
+  begun_ = false;
+  client = greeted(small_hello(8), true);
+  reorient_game game = game_of(false);
+  game.datagram[10] = 3;  // playing
+  client.send(REORIENT_GAME, game);
+  client.send_frame(1.0, 1);
+  auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_TRUE(observation->external.half_time);
+  game.datagram[10] = 4;  // finished
+  client.send(REORIENT_GAME, game);
+  client.send_frame(1.1, 2);
+  observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->external.half_time) << "once";
 }
 
 TEST_F(CompanionTest, ConvertsAFrameToAnObservationAndAnswersIt) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -210,6 +211,23 @@ TEST_F(NaoTest, ReceivesTheRefereeAndAnswersOnceASecond) {
   }
   EXPECT_NEAR(static_cast<double>(referee_.answers.size()), 5.0, 1.0);
   EXPECT_EQ(referee_.answers.front().size(), 32u);
+}
+
+TEST_F(NaoTest, ReportsOnceThatItIgnoresAnUnknownVersionOfTheReferee) {
+  std::vector<std::string> lines;
+  NaoSurroundings around = world_.surroundings([this] { return world_.now() > deadline_; });
+  around.referee = &referee_;
+  around.tell = [&](const std::string& line) { lines.push_back(line); };
+  nao_.emplace(options_, around);
+  for (int i = 0; i < 3; ++i) {
+    referee_.say(3, 0);
+    referee_.waiting.back()[4] = std::byte{21};
+  }
+  ASSERT_TRUE(run(5.0));
+  EXPECT_FALSE(observation_.external.referee);
+  EXPECT_EQ(lines, std::vector<std::string>{
+                       "GameController: datagram ignored: expected version 18, 19 or 20, found version 21"});
+  EXPECT_TRUE(referee_.answers.empty());
 }
 
 TEST_F(NaoTest, StaysDownWithAnEmptyBatteryUntilTheButtonIsPressed) {
