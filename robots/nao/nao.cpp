@@ -2,9 +2,11 @@
 #include "robots/nao/nao.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
+#include "robots/nao/guard/guard.h"
 #include "robots/nao/lights.h"
 
 namespace reorient::nao {
@@ -47,7 +49,7 @@ Nao::Nao(NaoOptions options, NaoSurroundings surroundings)
       around_(std::move(surroundings)),
       start_(around_.now()),
       game_(options_.team, options_.player),
-      posture_(options_.stands_at_once ? WantedPosture::stand : WantedPosture::sit) {
+      stands_when_possible_(options_.stands_at_once) {
   const RobotBody& body = options_.body;
   upper_.emplace(*around_.upper, camera_of_width(body.upper_camera, options_.width), HeadCamera::upper,
                  around_.run_errand);
@@ -121,6 +123,14 @@ bool Nao::read_body(double now) {
     if (body_samples_.size() >= kMostSamples) body_samples_.erase(body_samples_.begin());
     body_samples_.push_back(history_.newest()->body);
   }
+  const bool is_guarded = std::fabs(now - guard_.time) <= Guard::kHolds;
+  const bool is_up = guard_.state == GuardState::standing_up || guard_.state == GuardState::standing;
+  if (stands_when_possible_ && is_guarded && (is_up || (guard_.warnings & kNoRequest) == 0)) {
+    stands_when_possible_ = false;
+    posture_ = WantedPosture::stand;
+  }
+  // It sat down while this process was stopped or the guard restarted: stay down until the button is pressed.
+  if ((guard_.warnings & kStandRefused) != 0 && posture_ == WantedPosture::stand) posture_ = WantedPosture::sit;
   if (guard_.state == GuardState::fallen && posture_ == WantedPosture::stand)
     posture_ = WantedPosture::soft;  // until the operator puts it on its feet and presses the button
   // Stay seated when the battery is charged again or a joint that was given up is free. A motor that was too hot does
@@ -201,7 +211,8 @@ void Nao::read_image(HeadCamera which, double now) {
 
 void Nao::answer(const Answer& answer) {
   answer_ = answer;
-  send_request(around_.now());
+  answered_ = around_.now();
+  send_request(*answered_);
 }
 
 void Nao::send_request(double now) {
@@ -210,21 +221,25 @@ void Nao::send_request(double now) {
   BodyRequest request;
   request.time = now;
   request.posture = posture_;
+  // Without images the engine decides nothing, so its last decision neither moves the robot nor is shown.
+  constexpr double kCurrent = 1.0;  // s
+  const bool is_current = answered_ && now - *answered_ <= kCurrent;
+  const bool moves = is_current && !paused_;
   const std::optional<HeadRequest>& head = answer_.request.head;
-  if (head && !paused_) {
+  if (head && moves) {
     const HeadAngles angles = options_.body.neck.clamp(head->angles);
     request.moves_head = 1;
     request.head_yaw = static_cast<float>(angles.yaw);
     request.head_pitch = static_cast<float>(angles.pitch);
     request.head_speed = static_cast<float>(std::min(head->speed, options_.body.head_speed));
   }
-  if (!paused_ && options_.body.gait) {
+  if (moves && options_.body.gait) {
     const WalkVelocity& walk = answer_.request.walk;
     request.walk_forward = static_cast<float>(walk.forward);
     request.walk_left = static_cast<float>(walk.left);
     request.walk_turn = static_cast<float>(walk.turn);
   }
-  request.lights = lights_of(answer_);
+  request.lights = lights_of(is_current ? &answer_ : nullptr, guard_.state == GuardState::standing);
   body->request.write(request);
 }
 

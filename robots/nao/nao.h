@@ -123,9 +123,11 @@ class Nao : public Robot {
   ExternalInputs external_;
 
   WantedPosture posture_ = WantedPosture::sit;
+  bool stands_when_possible_;  // as the option requests; until the guard has read a request to sit
   bool paused_ = false;
   bool ends_ = false;
   Answer answer_;
+  std::optional<double> answered_;  // s, monotonic: when the engine processed the last frame
   Missing missing_ = Missing::nothing;
   Missing reported_missing_ = Missing::nothing;     // the last one that was reported
   double missing_since_ = 0.0, missing_for_ = 0.0;  // s

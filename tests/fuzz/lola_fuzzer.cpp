@@ -19,7 +19,7 @@ void hear(std::span<const std::byte> bytes) {
   static const auto body = std::make_unique<SharedBody>();
   BodyRequest request;
   request.time = 1.0;
-  request.posture = WantedPosture::stand;
+  request.posture = WantedPosture::sit;  // before it stands up, as the engine requests
   request.moves_head = 1;
   request.head_yaw = 1.0f;
   request.head_speed = 3.0f;
@@ -52,6 +52,9 @@ void hear(std::span<const std::byte> bytes) {
     }
     before = command;
     any = true;
+    request.posture = WantedPosture::stand;
+    request.time = time;
+    body->request.write(request);
     session.sent(session.to_send().size(), time);
   }
 }

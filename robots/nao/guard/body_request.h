@@ -59,6 +59,8 @@ enum GuardWarning : std::uint32_t {
   kJointGivenUp = 1u << 7,  ///< a leg joint was stuck for too long; the robot sits down
   kBlind = 1u << 8,         ///< LoLA's packets contain no positions or angles
   kForeignBody = 1u << 9,   ///< not version 6: limits and postures do not apply to this robot
+  /// It stands up only after a request for another posture, since no requests arrived for 1 s or the guard has started.
+  kStandRefused = 1u << 10,
 };
 
 struct GuardReport {

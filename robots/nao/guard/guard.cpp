@@ -65,6 +65,7 @@ void Guard::connected() {
 void Guard::take_over(const Measurement& measurement) {
   position_ = measured_;
   goal_ = measured_;
+  taken_over_ = measurement.time;
   const bool is_known = measurement.has(SensorKey::stiffness);
   float legs = 0.0f;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
@@ -90,12 +91,14 @@ std::optional<Command> Guard::step(const Measurement& measurement, const std::op
   };
   const double age = age_of(request);
   warnings_ = age <= kHolds ? warnings_ & ~kNoRequest : warnings_ | kNoRequest;
-  decide(wanted(request, std::isfinite(age) ? age : kSitsDown + 1.0));
+  // A guard that has just started holds a standing robot until the engine had time to write a request.
+  const double without = !request ? measurement.time - taken_over_ : std::isfinite(age) ? age : kSitsDown + 1.0;
+  decide(wanted(request, without));
   if (!glide_.is_over()) goal_ = glide_.step();
   if (state_ == GuardState::standing && age <= kHolds) follow(walk, age_of(walk));  // otherwise it holds its posture
   hold_head(request, age);
   limit();
-  return Command{position_, stiffness_, lights(request)};
+  return Command{position_, stiffness_, lights(request, age)};
 }
 
 /// Checks the measurements of the body and updates the warnings.
@@ -150,16 +153,23 @@ void Guard::check_body(const Measurement& measurement, const std::optional<Robot
   set(kJointStuck, is_stuck);
 }
 
-WantedPosture Guard::wanted(const std::optional<BodyRequest>& request, double age) const {
+/// `age`: s since the last request. A robot that sat down because requests were missing must not stand up when they
+/// return, since an operator may have lifted it or may be working on it: only a request for another posture, which the
+/// engine sends until the button is pressed, shows that the engine knows that it sits.
+WantedPosture Guard::wanted(const std::optional<BodyRequest>& request, double age) {
+  const bool is_up = state_ == GuardState::standing_up || state_ == GuardState::standing;
+  warnings_ &= ~kStandRefused;
+  if (age > kSitsDown) may_rise_ = false;
   if (finishing_) return WantedPosture::soft;
-  if (!request || age > kSitsDown || (warnings_ & kUnwell) != 0) return WantedPosture::sit;
-  switch (request->posture) {
-    case WantedPosture::soft:
-    case WantedPosture::sit:
-    case WantedPosture::stand:
-      return request->posture;
+  if (age > kSitsDown) return WantedPosture::sit;
+  if (!request) return is_up ? WantedPosture::stand : WantedPosture::sit;
+  if (request->posture == WantedPosture::stand) {
+    if (!may_rise_ && !is_up) warnings_ |= kStandRefused;
+    return has(kUnwell | kStandRefused) ? WantedPosture::sit : WantedPosture::stand;
   }
-  return WantedPosture::sit;
+  const bool is_soft = request->posture == WantedPosture::soft;
+  may_rise_ |= is_soft || request->posture == WantedPosture::sit;  // not an invalid value
+  return is_soft && !has(kUnwell) ? WantedPosture::soft : WantedPosture::sit;
 }
 
 void Guard::decide(WantedPosture wanted) {
@@ -322,8 +332,11 @@ void Guard::limit() {
   }
 }
 
-Lights Guard::lights(const std::optional<BodyRequest>& request) const {
-  Lights lights = request ? request->lights : Lights{};
+/// Shows the engine's lights only as long as it sends requests. The last command stays active after the guard has
+/// ended, so it must show nothing that no process keeps true.
+Lights Guard::lights(const std::optional<BodyRequest>& request, double age) const {
+  if (finishing_) return {};
+  Lights lights = age <= kHolds ? request->lights : Lights{};
   const auto shown = [](float& value) { value = in_range(value, 0.0f, 1.0f, 0.0f); };
   const auto shown_color = [&](Lights::Color& color) {
     shown(color.red);

@@ -38,7 +38,7 @@ class Guard {
   void take_over(const Measurement& measurement);
   bool has(std::uint32_t warning) const { return (warnings_ & warning) != 0; }
   void check_body(const Measurement& measurement, const std::optional<RobotIdentity>& robot);
-  WantedPosture wanted(const std::optional<BodyRequest>& request, double age) const;
+  WantedPosture wanted(const std::optional<BodyRequest>& request, double age);
   void decide(WantedPosture wanted);
   void release_if_held();
   void begin(GuardState state);
@@ -46,12 +46,14 @@ class Guard {
   void follow(const std::optional<WalkTargets>& walk, double age);
   void move_head(const BodyRequest& request);
   void limit();
-  Lights lights(const std::optional<BodyRequest>& request) const;
+  Lights lights(const std::optional<BodyRequest>& request, double age) const;
 
   GuardState state_ = GuardState::waiting;
   std::uint32_t warnings_ = 0;
   std::uint32_t joint_ = 0;
   bool finishing_ = false;
+  bool may_rise_ = false;    // a request for another posture than standing has arrived since requests were missing
+  double taken_over_ = 0.0;  // s, time of the first measurement
 
   bool is_known_ = false;  // the positions of the joints are known
   JointValues measured_{};

@@ -86,7 +86,7 @@ struct WarningText {
   std::uint32_t warning;
   const char* text;
 };
-constexpr std::array<WarningText, 10> kWarnings{{
+constexpr std::array<WarningText, 11> kWarnings{{
     {kNoRequest, "no requests from the engine"},
     {kTilted, "tilted too far to stand up or sit down"},
     {kHot, "a motor is hot"},
@@ -97,6 +97,7 @@ constexpr std::array<WarningText, 10> kWarnings{{
     {kJointGivenUp, "a leg joint did not reach its target for 3 s"},
     {kBlind, "LoLA's packets contain no positions or angles"},
     {kForeignBody, "unsupported body version (expected 6): no motion"},
+    {kStandRefused, "stands up only after a request to sit: press the button on the chest"},
 }};
 
 /// Prints changes. A slow reader must not block the guard, so a line that cannot be written at once is dropped.

@@ -17,7 +17,7 @@ namespace reorient::nao {
 inline constexpr std::size_t kMeasurements = 64;
 
 struct SharedBody {
-  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e02u;  // the last byte is the version
+  static constexpr std::uint64_t kLayout = 0x5265'6f72'6965'6e03u;  // the last byte is the version
 
   std::atomic<std::uint64_t> layout = 0;    ///< kLayout, written after all other values are initialized
   std::atomic<std::uint64_t> measured = 0;  ///< number of measurements since the start

@@ -284,6 +284,8 @@ class Trouble {
   void ask() {
     if (!engine_lives_ || ++cycle_ % 3 != 0) return;
     BodyRequest request = request_;
+    // As the engine does, and an operator who presses the button at once.
+    if ((session_.report(time_).warnings & kStandRefused) != 0) request.posture = WantedPosture::sit;
     request.time = time_;
     request.moves_head = 1;
     request.head_yaw = static_cast<float>(1.8 * std::sin(time_));

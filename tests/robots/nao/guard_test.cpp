@@ -38,8 +38,14 @@ class GuardTest : public testing::Test {
       body_.step();
     }
   }
-  void stand() {
+  /// The engine requests to sit until the button is pressed.
+  void press_button() {
+    request_.posture = WantedPosture::sit;
+    run(0.1);
     request_.posture = WantedPosture::stand;
+  }
+  void stand() {
+    press_button();
     run(3.5);
     ASSERT_EQ(guard_.state(), GuardState::standing);
   }
@@ -106,13 +112,56 @@ TEST_F(GuardTest, SitsDownOneSecondAfterTheLastRequest) {
   EXPECT_TRUE(body_.sits());
 }
 
-TEST_F(GuardTest, StandsUpAgainWhenRequestsReturn) {
+TEST_F(GuardTest, StaysDownWhenRequestsReturnUntilOneForAnotherPosture) {
   stand();
   engine_lives_ = false;
   run(6.0);
-  engine_lives_ = true;
+  ASSERT_EQ(guard_.state(), GuardState::sitting);
+  EXPECT_EQ(guard_.warnings() & kStandRefused, 0u);
+  engine_lives_ = true;  // it continues with its last request
   run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting);
+  EXPECT_NE(guard_.warnings() & kStandRefused, 0u);
+  request_.posture = static_cast<WantedPosture>(77);
+  run(0.2);
+  request_.posture = WantedPosture::stand;
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::sitting) << "an invalid request does not count";
+  stand();
+  EXPECT_EQ(guard_.warnings() & kStandRefused, 0u);
+}
+
+TEST_F(GuardTest, StaysDownAfterItsOwnRestartUntilARequestForAnotherPosture) {
+  stand();
+  request_.posture = WantedPosture::sit;
+  run(4.0);
+  request_.posture = WantedPosture::stand;
+  guard_ = Guard();
+  guard_.connected();
+  run(4.0);
+  EXPECT_EQ(guard_.state(), GuardState::soft);
+  EXPECT_NE(guard_.warnings() & kStandRefused, 0u);
+  stand();
+}
+
+TEST_F(GuardTest, HoldsAStandingRobotAfterItsOwnRestart) {
+  stand();
+  guard_ = Guard();
+  guard_.connected();
+  asked_.reset();  // the shared memory is empty
+  engine_lives_ = false;
+  run(0.9);
+  EXPECT_EQ(guard_.state(), GuardState::standing_up) << "it stands, and the engine needs a moment";
+  engine_lives_ = true;
+  run(3.0);
   EXPECT_EQ(guard_.state(), GuardState::standing);
+  EXPECT_TRUE(body_.stands());
+  guard_ = Guard();
+  guard_.connected();
+  asked_.reset();
+  engine_lives_ = false;
+  run(1.2);
+  EXPECT_EQ(guard_.state(), GuardState::sitting_down) << "no engine runs";
 }
 
 TEST_F(GuardTest, StopsTheHeadHalfASecondAfterTheLastRequest) {
@@ -159,7 +208,7 @@ TEST_F(GuardTest, TurnsTheHeadOfASittingRobot) {
 
 TEST_F(GuardTest, NeitherStandsUpNorSitsDownWhileHeldAtATilt) {
   body_.tilt(0.3f, 0.0f);
-  request_.posture = WantedPosture::stand;
+  press_button();
   run(2.0);
   EXPECT_EQ(guard_.state(), GuardState::soft);
   EXPECT_NE(guard_.warnings() & kTilted, 0u);
@@ -220,7 +269,7 @@ TEST_F(GuardTest, SitsDownWithAnEmptyBatteryButNotWithAnUnknownCharge) {
 
 TEST_F(GuardTest, SitsDownIfALegDoesNotReachItsTarget) {
   body_.block(kLeftKneePitch);
-  request_.posture = WantedPosture::stand;
+  press_button();
   run(4.0);
   EXPECT_NE(guard_.warnings() & kJointStuck, 0u);
   EXPECT_EQ(guard_.warning_joint(), static_cast<std::uint32_t>(kLeftKneePitch));
@@ -260,8 +309,8 @@ TEST_F(GuardTest, HoldsItsPostureWithoutPositionsAndAngles) {
 TEST_F(GuardTest, DoesNotMoveABodyOfAnotherVersion) {
   RobotIdentity other = body_.identity();
   other.body_version[0] = '5';
-  request_.posture = WantedPosture::stand;
   for (int i = 0; i < 200; ++i) {
+    request_.posture = i < 10 ? WantedPosture::sit : WantedPosture::stand;
     Measurement measurement = body_.measurement();
     measurement.time = request_.time = 1.0 + i * kCycle;
     const std::optional<Command> command = guard_.step(measurement, other, request_);
@@ -269,6 +318,7 @@ TEST_F(GuardTest, DoesNotMoveABodyOfAnotherVersion) {
     EXPECT_EQ(*std::max_element(command->stiffness.begin(), command->stiffness.end()), 0.0f);
   }
   EXPECT_EQ(guard_.state(), GuardState::soft);
+  EXPECT_EQ(guard_.warnings() & kStandRefused, 0u);
 }
 
 TEST_F(GuardTest, TakesOverAStandingBody) {
@@ -374,11 +424,27 @@ TEST_F(GuardTest, MakesTheHeadSoftWithoutRequests) {
   EXPECT_NEAR(body_.measurement().position[kHeadYaw], 0.5f, 0.01f) << "requests have returned";
 }
 
-TEST_F(GuardTest, ShowsThatRequestsAreMissing) {
+TEST_F(GuardTest, ShowsThatRequestsAreMissingAndNotTheLastLightsOfTheEngine) {
+  constexpr Lights::Color kDark, kGreen{0.0f, 1.0f, 0.0f};
+  request_.lights.left_eye.fill(kGreen);
+  request_.lights.skull.fill(1.0f);
   stand();
+  EXPECT_EQ(last_.lights.left_eye[0], kGreen);
   engine_lives_ = false;
   run(0.5);
   EXPECT_EQ(last_.lights.chest, (Lights::Color{1.0f, 0.6f, 0.0f}));
+  EXPECT_EQ(last_.lights.left_eye[0], kDark);
+  EXPECT_EQ(last_.lights.skull[0], 0.0f);
+}
+
+TEST_F(GuardTest, IsDarkWhenItEnds) {
+  request_.lights.chest = request_.lights.right_eye[3] = {0.0f, 1.0f, 0.0f};
+  stand();
+  guard_.finish();
+  run(4.0);
+  ASSERT_TRUE(guard_.is_at_rest());
+  EXPECT_EQ(last_.lights.chest, Lights::Color());
+  EXPECT_EQ(last_.lights.right_eye[3], Lights::Color());
 }
 
 TEST(Postures, AreWithinTheJointsLimitsAndSymmetric) {

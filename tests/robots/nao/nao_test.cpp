@@ -271,6 +271,83 @@ TEST_F(NaoTest, ReportsWhatIsMissingInEachOutage) {
   EXPECT_EQ(reported, (std::vector<Missing>{Missing::guard, Missing::guard}));
 }
 
+TEST_F(NaoTest, StaysDownAfterItsEngineWasStoppedUntilTheButtonIsPressed) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  ASSERT_EQ(nao_->guard().state, GuardState::standing);
+  for (int i = 0; i < 500; ++i) world_.step();  // SIGSTOP for 6 s
+  ASSERT_EQ(world_.report().state, GuardState::sitting);
+  ASSERT_TRUE(run(6.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting);
+  world_.body().press_chest(true);
+  ASSERT_TRUE(run(0.3));
+  world_.body().press_chest(false);
+  ASSERT_TRUE(run(5.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+  EXPECT_FALSE(nao_->is_paused());
+}
+
+TEST_F(NaoTest, StaysDownAfterItsGuardWasRestartedUntilTheButtonIsPressed) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  world_.stop_guard();  // SIGTERM
+  for (int i = 0; i < 500; ++i) world_.step();
+  ASSERT_TRUE(world_.body().is_soft());
+  world_.restart_guard();
+  ASSERT_TRUE(run(6.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::soft);
+  EXPECT_TRUE(world_.body().sits());
+  world_.body().press_chest(true);
+  ASSERT_TRUE(run(0.3));
+  world_.body().press_chest(false);
+  ASSERT_TRUE(run(5.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+}
+
+TEST_F(NaoTest, KeepsStandingWhenItsGuardIsKilledAndRestarted) {
+  begin();
+  ASSERT_TRUE(run(8.0));
+  world_.restart_guard();
+  ASSERT_TRUE(run(1.0));
+  EXPECT_TRUE(world_.body().stands());
+  ASSERT_TRUE(run(3.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+}
+
+TEST_F(NaoTest, ShowsOnlyWhatIsTrueNow) {
+  constexpr Lights::Color kDark, kGreen{0.0f, 0.5f, 0.0f}, kWhite{0.3f, 0.3f, 0.3f}, kBlue{0.0f, 0.0f, 0.2f};
+  const auto lights = [this] {
+    BodyRequest request;
+    EXPECT_TRUE(world_.shared().request.read(request));
+    return request.lights;
+  };
+  begin();
+  world_.camera().is_plugged = false;
+  EXPECT_FALSE(run(3.0));
+  EXPECT_EQ(lights().chest, kDark) << "no frame has arrived";
+  EXPECT_EQ(lights().left_eye[0], kDark);
+  world_.camera().is_plugged = true;
+  ASSERT_TRUE(run(10.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::standing);
+  EXPECT_EQ(lights().chest, kGreen);
+  EXPECT_EQ(lights().left_eye[0], kBlue);
+  head_ = HeadRequest{{0.5, 0.0}, 1.0};
+  ASSERT_TRUE(run(0.1));
+  world_.camera().is_plugged = false;
+  EXPECT_FALSE(run(3.0));
+  EXPECT_EQ(lights().chest, kDark) << "the engine processes no frames";
+  EXPECT_EQ(lights().left_eye[0], kDark);
+  BodyRequest request;
+  ASSERT_TRUE(world_.shared().request.read(request));
+  EXPECT_EQ(request.moves_head, 0u) << "nor does it move without seeing";
+  EXPECT_EQ(request.posture, WantedPosture::stand);
+  world_.camera().is_plugged = true;
+  world_.body().set_charge(0.04f);
+  ASSERT_TRUE(run(8.0));
+  EXPECT_EQ(nao_->guard().state, GuardState::sitting);
+  EXPECT_EQ(lights().chest, kWhite) << "the engine does not use images of a sitting robot";
+}
+
 TEST_F(NaoTest, ContinuesAfterTheCameraWasUnplugged) {
   begin();
   ASSERT_TRUE(run(8.0));

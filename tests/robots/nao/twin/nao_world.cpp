@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "tests/robots/nao/twin/nao_world.h"
 
+#include <new>
 #include <utility>
 
 namespace reorient::nao {
 
 NaoWorld::NaoWorld(SimulatorParameters parameters, const RobotBody& body, const FieldDimensions& field,
                    const Room& room, const Pose2& start, std::uint64_t seed)
-    : nao_(parameters, body, field, room, start, seed), shared_(std::make_unique<SharedBody>()), session_(*shared_) {
-  session_.connected();
+    : nao_(parameters, body, field, room, start, seed), shared_(std::make_unique<SharedBody>()) {
+  restart_guard();
+}
+
+void NaoWorld::restart_guard() {
+  new (shared_.get()) SharedBody;
+  session_.emplace(*shared_).connected();
 }
 
 NaoSurroundings NaoWorld::surroundings(std::function<bool()> is_over) {
@@ -26,10 +32,10 @@ NaoSurroundings NaoWorld::surroundings(std::function<bool()> is_over) {
 
 void NaoWorld::step() {
   now_ += kCycle;
-  session_.received(nao_.feel(session_.space()), now_);
-  while (!session_.to_send().empty()) {
-    nao_.take(session_.to_send());
-    session_.sent(session_.to_send().size(), now_);
+  session_->received(nao_.feel(session_->space()), now_);
+  while (!session_->to_send().empty()) {
+    nao_.take(session_->to_send());
+    session_->sent(session_->to_send().size(), now_);
   }
   nao_.show(now_);
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "robots/nao/guard/session.h"
 #include "robots/nao/nao.h"
@@ -26,17 +27,21 @@ class NaoWorld {
   TwinBody& body() { return nao_.body(); }
   FakeVideo& camera() { return nao_.camera(); }
   SharedBody& shared() { return *shared_; }
-  GuardReport report() const { return session_.report(now_); }
+  GuardReport report() const { return session_->report(now_); }
 
   /// While hidden, the guard cannot be reached by the engine.
   void hide_guard(bool hidden) { guard_is_hidden_ = hidden; }
+  /// The guard ends as after SIGTERM; LoLA keeps its last command.
+  void stop_guard() { session_->finish(); }
+  /// A new process of the guard, with empty shared memory.
+  void restart_guard();
   /// One cycle of 12 ms.
   void step();
 
  private:
   TwinNao nao_;
   std::unique_ptr<SharedBody> shared_;
-  Session session_;
+  std::optional<Session> session_;
   double now_ = 1000.0;  // s on the monotonic clock
   bool guard_is_hidden_ = false;
 };
