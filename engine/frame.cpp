@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/stage_timer.h"
+#include "geometry/settable_pose.h"
 
 namespace reorient {
 namespace {
@@ -104,7 +105,12 @@ void FrameLoop::take_external_inputs(const ExternalInputs& external, bool has_ex
   for (const std::string& note : external.notes) {
     if (record_.logs.size() < kMostNotes) record_.logs.push_back({0, 0, note.substr(0, kLongestNote), 0, true});
   }
-  if (external.initial_pose) set_pose(*external.initial_pose, has_external_belief);
+  if (!external.initial_pose) return;
+  if (const std::string mistake = mistake_in_pose(external.initial_pose->pose); !mistake.empty()) {
+    record_.logs.push_back({0, 0, "initial pose ignored: " + mistake, 0, true});
+    return;
+  }
+  set_pose(*external.initial_pose, has_external_belief);
 }
 
 void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {

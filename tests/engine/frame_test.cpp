@@ -290,6 +290,20 @@ TEST(Frame, NeitherTrainsNorEvaluatesNorDetectsTheFieldWhileLying) {
   EXPECT_EQ(loop.world().trained_seconds, trained);
 }
 
+TEST(Frame, IgnoresAnInitialPoseFarFromAnyField) {
+  LoopWithPose loop(kIdle);
+  loop.step(10);
+  const Pose2 before = loop.world().pose.pose;
+  for (const Pose2& pose : {Pose2(1e308, 0.0, 0.0), Pose2(0.0, std::nan(""), 0.0)}) {
+    loop.inputs.external.initial_pose = InitialPose{pose};
+    loop.step();
+    EXPECT_FALSE(loop.record().inputs.initial_pose);
+    ASSERT_EQ(loop.record().logs.size(), 1u);
+    EXPECT_NE(loop.record().logs[0].text.find("initial pose ignored: expected a pose within 100 m"), std::string::npos);
+    EXPECT_NEAR((loop.world().pose.pose.position - before.position).norm(), 0.0, 0.1);
+  }
+}
+
 TEST(Frame, NeitherTrainsNorEvaluatesWhileLifted) {
   LoopWithPose loop(kIdle);
   loop.step(10);

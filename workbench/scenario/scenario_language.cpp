@@ -7,6 +7,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/world_fields.h"
+#include "geometry/settable_pose.h"
 
 namespace reorient {
 namespace {
@@ -153,12 +154,22 @@ void ScenarioActions::act(const OperatorAction& action) {
   actions_.push_back(action);
 }
 
+namespace {
+
+Pose2 settable_pose(const std::string& function, double x, double y, double rotation) {
+  if (const std::string mistake = mistake_in_pose(x, y, rotation); !mistake.empty())
+    throw std::runtime_error(function + ": " + mistake);
+  return Pose2(x, y, rotation);
+}
+
+}  // namespace
+
 void ScenarioActions::put_down(double x, double y, double rotation) {
-  act({OperatorAction::Kind::put_down, Pose2(x, y, rotation), 0.0, false});
+  act({OperatorAction::Kind::put_down, settable_pose("operator.put_down", x, y, rotation), 0.0, false});
 }
 
 void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
-  act({OperatorAction::Kind::set_initial_pose, Pose2(x, y, rotation), 0.0, false});
+  act({OperatorAction::Kind::set_initial_pose, settable_pose("operator.set_initial_pose", x, y, rotation), 0.0, false});
 }
 
 void ScenarioActions::set_game_state(std::string_view state) {

@@ -13,6 +13,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/world/room_status.h"
+#include "geometry/settable_pose.h"
 
 namespace reorient {
 namespace {
@@ -237,6 +238,9 @@ WorldField described(const BoundField& field, Value* (*)(World&)) {
     result.maximum = 1.0;
   } else if (field.unit == "s") {
     result.minimum = 0.0;
+  } else if (field.table == "pose" && field.unit == "m") {
+    result.minimum = -kFarthestPose;
+    result.maximum = kFarthestPose;
   }
   if constexpr (std::is_enum_v<Value>) {
     result.type = Type::name;
@@ -290,7 +294,10 @@ double checked_value(const WorldField& field, const WorldValue& value) {
     const bool fits = std::isfinite(value.number) && value.number >= field.minimum && value.number <= field.maximum &&
                       (!field.is_integer || value.number == std::floor(value.number));
     if (fits) return value.number;
-    const std::string range = field.maximum == 1.0 ? ", from 0 to 1" : field.minimum == 0.0 ? ", not negative" : "";
+    const std::string range = field.maximum == 1.0             ? ", from 0 to 1"
+                              : field.minimum == 0.0           ? ", not negative"
+                              : field.maximum == kFarthestPose ? ", from -100 to 100"
+                                                               : "";
     throw std::runtime_error(field.full_name() + ": expected a " + (field.is_integer ? "whole" : "finite") + " number" +
                              range);
   }

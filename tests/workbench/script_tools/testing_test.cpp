@@ -616,6 +616,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WorldType", "set_world { robot = { penalized = 'yes' } }", "robot.penalized"},
         Mistake{"WorldName", "set_world { robot = { posture = 'flying' } }", "robot.posture"},
         Mistake{"WorldRange", "set_world { confidence = { current = 7 } }", "confidence.current"},
+        Mistake{"WorldPose", "set_world { pose = { x = 1e308 } }",
+                "pose.x: expected a finite number, from -100 to 100"},
         Mistake{"WorldNumber", "set_world { confidence = { current = 0/0 } }", "confidence.current"},
         Mistake{"Clock", "set_world { clock = { time = 9 } }",
                 "clock.time cannot be set: advance(SECONDS) lets time pass"},
