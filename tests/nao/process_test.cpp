@@ -36,6 +36,11 @@ TEST_F(NaoProcesses, RefuseOptionsThatANaoDoesNotUseWithOneLine) {
       {{"run", "--robot", "nao", "--at", "1,2"}, "expected X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--at", "1,2,3,4"}, "expected X,Y,DEGREES"},
       {{"run", "--robot", "nao", "--at", "nan,0,0"}, "expected X,Y,DEGREES"},
+      {{"run", "--robot", "nao", "--at", "1e308,0,0"}, "m (-100 to 100)"},
+      {{"run", "--robot", "nao", "--at", "0,101,0"}, "m (-100 to 100)"},
+      {{"run", "--robot", "nao", "--places", folder_.write("far.toml", "player_1 = [200, 2, 3]").string(), "--team",
+        "5"},
+       "player_1: expected a pose within 100 m"},
       {{"run", "--robot", "nao", "--team", "255"}, "--team"},
       {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
       {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},
@@ -116,6 +121,7 @@ TEST_F(NaoProcesses, TheGuardConnectsToTheRobotAndEndsOnASignal) {
     std::filesystem::remove(said);  // do not read the output of the previous guard
     EXPECT_EQ(std::system(ended_by(signal).c_str()), 0) << read_text(said);
     EXPECT_NE(read_text(said).find("connected to LoLA"), std::string::npos) << read_text(said);
+    EXPECT_FALSE(std::filesystem::exists(body)) << "it removes its shared memory";
   }
 }
 

@@ -154,7 +154,7 @@ void ask_for_real_time(int priority, Narrator& narrator) {
 
 void run_guard(const GuardOptions& options, int out) {
   const sockaddr_un address = address_of(options.lola);
-  const MappedBody body(options.body, MappedBody::Side::guard);
+  MappedBody body(options.body, MappedBody::Side::guard);
   struct sigaction action {};
   action.sa_handler = count_signal;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
@@ -204,6 +204,7 @@ void run_guard(const GuardOptions& options, int out) {
   narrator.line("waiting for LoLA");
   while (true) {
     const double time = now();
+    if (body.restore()) narrator.line("another program truncated the shared memory; it is restored");
     if (signals > 0) {
       session.finish();
       if (farewell <= 0.0) farewell = time + kLongestFarewell;

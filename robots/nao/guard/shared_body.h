@@ -35,7 +35,8 @@ struct SharedBody {
   std::uint64_t news(std::uint64_t seen, std::vector<Measurement>& later) const;
 };
 
-/// Default path of the file that all map. Its mode is 0600, and its name contains the user's number.
+/// Default path of the file that all map. Its mode is 0600, and its name contains the user's number. A guard removes it
+/// when it ends.
 std::filesystem::path default_body_file();
 
 /// A mapping of the file.
@@ -44,9 +45,11 @@ class MappedBody {
   enum class Side { guard, engine, walk };
   /// The guard creates the file if it is missing, and locks it; only one engine may send requests. Engine and walk open
   /// the file of a guard, and map nothing if it does not exist yet. Throws std::runtime_error with one line if another
-  /// guard or engine uses the file, or if it is not a guard's file.
+  /// guard or engine uses the file, if it is not a guard's file, or if other users may write to it. From then on the
+  /// process survives that another program truncates the file: the values are then those of a new file.
   MappedBody(const std::filesystem::path& file, Side side);
 
+  /// The guard removes its file.
   ~MappedBody();
   MappedBody(const MappedBody&) = delete;
   MappedBody& operator=(const MappedBody&) = delete;
@@ -55,9 +58,14 @@ class MappedBody {
   SharedBody& operator*() const { return *body_; }
   SharedBody* operator->() const { return body_; }
 
+  /// For the guard, in each cycle: makes a file usable again that another program truncated. Returns whether it was.
+  bool restore();
+
  private:
   void close_all();
 
+  std::filesystem::path path_;
+  Side side_;
   int file_ = -1;  // stays open as long as the mapping, because guard and engine hold locks on it
   SharedBody* body_ = nullptr;
 };

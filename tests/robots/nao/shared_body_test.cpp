@@ -2,8 +2,10 @@
 #include "robots/nao/guard/shared_body.h"
 
 #include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -11,6 +13,8 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/temporary_folder.h"
 
@@ -91,13 +95,18 @@ TEST_F(SharedBodyTest, HasOneEngineAndAWalk) {
   EXPECT_EQ(refusal(Side::engine), "") << "the other engine has ended";
 }
 
-TEST_F(SharedBodyTest, ServesARunningEngineAfterARestartOfTheGuard) {
-  auto first = std::make_unique<MappedBody>(file_, Side::guard);
+TEST_F(SharedBodyTest, ServesARunningEngineAfterItsGuardWasKilledAndRestarted) {
+  const pid_t first = fork();
+  if (first == 0) {
+    const MappedBody guard(file_, Side::guard);
+    for (int i = 1; i <= 10; ++i) guard->add(at(i));
+    _exit(0);  // without the destructor, as after SIGKILL
+  }
+  ASSERT_EQ(waitpid(first, nullptr, 0), first);
   const MappedBody engine(file_, Side::engine);
+  ASSERT_TRUE(engine);
   BodyRequest request;
   engine->request.write(request);
-  for (int i = 1; i <= 10; ++i) (*first)->add(at(i));
-  first.reset();
   const MappedBody second(file_, Side::guard);
   EXPECT_FALSE(second->request.read(request)) << "a request to the previous guard";
   second->add(at(50));
@@ -126,6 +135,76 @@ TEST_F(SharedBodyTest, DoesNotExistForTheEngineWhileItIsCreated) {
   EXPECT_TRUE(MappedBody(file_, Side::engine));
   guard->layout.store(0);
   EXPECT_FALSE(MappedBody(file_, Side::engine)) << "the guard has not initialized it yet";
+}
+
+TEST_F(SharedBodyTest, IsRemovedWhenItsGuardEnds) {
+  { const MappedBody guard(file_, Side::guard); }
+  EXPECT_FALSE(std::filesystem::exists(file_));
+  {
+    const MappedBody guard(file_, Side::guard);
+    std::filesystem::remove(file_);
+    std::ofstream(file_) << "of another program";
+  }
+  EXPECT_EQ(std::filesystem::file_size(file_), 18u) << "it removes only its own file";
+}
+
+TEST_F(SharedBodyTest, DoesNotOverwriteAFileOfAnotherProgram) {
+  const std::string texts[] = {"x", "seven b", "something precious", std::string(sizeof(SharedBody), 'x'),
+                               std::string(sizeof(SharedBody) + 1, '\0')};
+  for (const std::string& text : texts) {
+    std::ofstream(file_, std::ios::binary) << text;
+    ASSERT_EQ(chmod(file_.c_str(), 0600), 0);
+    EXPECT_EQ(refusal(Side::guard),
+              file_.string() + ": expected a guard's file or no file, found another file; choose another file");
+    std::ifstream in(file_, std::ios::binary);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), text);
+  }
+  std::ofstream(file_, std::ios::binary) << "";
+  EXPECT_EQ(refusal(Side::guard), "") << "a guard was killed while it created the file";
+  // Of an earlier version with another size.
+  const std::uint64_t layout = SharedBody::kLayout - 1;
+  std::ofstream(file_, std::ios::binary).write(reinterpret_cast<const char*>(&layout), sizeof(layout));
+  EXPECT_EQ(refusal(Side::guard), "");
+}
+
+TEST_F(SharedBodyTest, RefusesAFileThatOtherUsersMayWrite) {
+  const std::string why =
+      file_.string() + ": expected a file that only its user may write, found one that others may write; remove it";
+  std::ofstream(file_) << "";
+  for (const mode_t mode : {0602u, 0620u, 0666u}) {
+    ASSERT_EQ(chmod(file_.c_str(), mode), 0);
+    for (const Side side : {Side::guard, Side::engine, Side::walk}) EXPECT_EQ(refusal(side), why);
+  }
+  ASSERT_EQ(chmod(file_.c_str(), 0644), 0);
+  EXPECT_EQ(refusal(Side::guard), "") << "others may only read it";
+}
+
+TEST_F(SharedBodyTest, SurvivesItsTruncation) {
+  MappedBody guard(file_, Side::guard);
+  const MappedBody engine(file_, Side::engine);
+  double time = 0.0;
+  for (const std::size_t size : {std::size_t{0}, std::size_t{100}, sizeof(SharedBody) - 1}) {
+    std::filesystem::resize_file(file_, size);
+    BodyRequest request;
+    request.head_yaw = 0.25f;
+    engine->request.write(request);
+    guard->add(at(++time));
+    EXPECT_EQ(guard.restore(), size != 100) << size << ": the access to a missing page restored it";
+    EXPECT_FALSE(guard.restore());
+    request = {};
+    ASSERT_TRUE(guard->request.read(request));
+    EXPECT_EQ(request.head_yaw, 0.25f);
+    std::vector<Measurement> news;
+    engine->news(0, news);
+    ASSERT_FALSE(news.empty());
+    EXPECT_EQ(news.back().time, time);
+    EXPECT_EQ(std::filesystem::file_size(file_), sizeof(SharedBody));
+  }
+}
+
+TEST_F(SharedBodyTest, DoesNotHideOtherBusErrors) {
+  const MappedBody guard(file_, Side::guard);
+  EXPECT_EXIT(raise(SIGBUS), testing::KilledBySignal(SIGBUS), "");
 }
 
 TEST_F(SharedBodyTest, RefusesASymbolicLink) {
