@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The same state and the same inputs give the same record for any observer, in any process.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 
@@ -221,6 +224,44 @@ TEST(State, IsRefusedIfTruncatedOrOfAnotherFormat) {
   state.pop_back();
   state[0] = std::byte{0};
   EXPECT_THROW(FrameLoop{std::span<const std::byte>(state)}, BadBytes);
+}
+
+TEST(State, WithAnImpossibleBodyIsRefusedWithAReason) {
+  const RobotBody body = eventful_setup().body;
+  const FrameLoop engine(eventful_setup());
+  const Bytes state = state_of(engine);
+  Bytes known;
+  ByteWriter{known}(body);
+  const auto place = std::search(state.begin(), state.end(), known.begin(), known.end());
+  ASSERT_NE(place, state.end());
+  const std::vector<std::function<void(RobotBody&)>> changes{
+      [](RobotBody& one) { one.dimensions.torso_height = 1e308; },
+      [](RobotBody& one) { one.dimensions.torso_height = std::nan(""); },
+      [](RobotBody& one) { one.dimensions.upper.position.x() = -1e9; },
+      [](RobotBody& one) { one.upper_camera.width = 2'000'000'000; },
+      [](RobotBody& one) { one.upper_camera.height = -1; },
+      [](RobotBody& one) { one.upper_camera.field_of_view_vertical = 0.0; },
+      [](RobotBody& one) { one.neck.pitch[0].min = 1e300; },
+      [](RobotBody& one) { one.neck.pitch.clear(); },
+      [](RobotBody& one) { one.neck.yaw = std::nan(""); },
+      [](RobotBody& one) { one.head_speed = 1e308; },
+      [](RobotBody& one) { one.get_up_time = 1e308; },
+      [](RobotBody& one) { one.name = std::string(1000, 'x'); }};  // possible
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    RobotBody changed = body;
+    changes[i](changed);
+    Bytes forged(state.begin(), place);
+    ByteWriter{forged}(changed);
+    forged.insert(forged.end(), place + static_cast<std::ptrdiff_t>(known.size()), state.end());
+    std::string why;
+    try {
+      const FrameLoop restored{std::span<const std::byte>(forged)};
+    } catch (const BadBytes& bad) {
+      why = bad.what();
+    }
+    const bool is_possible = i + 1 == changes.size();
+    EXPECT_EQ(why, is_possible ? "" : "state: impossible body of the robot (expected the measures of a humanoid)") << i;
+  }
 }
 
 RC_GTEST_PROP(State, ThatIsDamagedNeverCrashesTheReader, ()) {
