@@ -8,6 +8,7 @@ void PendingCommand::grant(Reorientation reorientation) {
   if (waiting_ == reorientation || keeps_flip) return;
   waiting_ = reorientation;
   ++number_;
+  is_stored_ = !is_stored_first_;
 }
 
 void PendingCommand::acknowledge(std::uint64_t server, std::uint32_t number) {

@@ -15,7 +15,9 @@ namespace reorient {
 class PendingCommand {
  public:
   /// `server`: random, so that numbers of an earlier process are not taken for those of this process.
-  explicit PendingCommand(std::uint64_t server) : server_(server) {}
+  /// `is_stored_first`: a command waits for set_stored() before it may be sent.
+  explicit PendingCommand(std::uint64_t server, bool is_stored_first = false)
+      : server_(server), is_stored_first_(is_stored_first) {}
 
   std::uint64_t server() const { return server_; }
   void grant(Reorientation reorientation);
@@ -24,11 +26,21 @@ class PendingCommand {
   /// Withdraws the waiting command, because the belief has changed.
   void withdraw() { waiting_.reset(); }
 
-  std::optional<Reorientation> waiting() const { return waiting_; }
+  /// The command to send.
+  std::optional<Reorientation> waiting() const { return is_stored_ ? waiting_ : std::nullopt; }
   std::uint32_t number() const { return number_; }
+
+  /// The number of a command whose decision is not stored yet.
+  std::optional<std::uint32_t> unstored() const {
+    return waiting_ && !is_stored_ ? std::optional(number_) : std::nullopt;
+  }
+  /// The decision for this command is stored, so that no later process decides it again.
+  void set_stored(std::uint32_t number) { is_stored_ |= number == number_; }
 
  private:
   std::uint64_t server_;
+  bool is_stored_first_;
+  bool is_stored_ = true;
   std::uint32_t number_ = 0;  // of the last one
   std::optional<Reorientation> waiting_;
 };

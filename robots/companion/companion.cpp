@@ -63,7 +63,9 @@ void keep_note(std::vector<reorient_note>& notes, std::uint32_t kind, std::strin
 }  // namespace
 
 Companion::Companion(CompanionOptions options)
-    : options_(std::move(options)), connection_(options_.socket, options_.now), command_(options_.server) {
+    : options_(std::move(options)),
+      connection_(options_.socket, options_.now),
+      command_(options_.server, options_.stores_commands) {
   samples_.reserve(kMostSamples);
   body_samples_.reserve(kMostSamples);
   particles_.reserve(REORIENT_MOST_PARTICLES);
@@ -99,6 +101,7 @@ void Companion::welcome_client() {
   welcomed_ = connection_.send(REORIENT_WELCOME, reorient_welcome{options_.server, continues_ ? 1u : 0u,
                                                                   static_cast<std::uint32_t>(behaviors_)});
   continues_ = true;  // the next client connects to an engine that has a state
+  reported_refusal_.clear();
 }
 
 bool Companion::observe(Observation& observation) {
@@ -120,7 +123,17 @@ void Companion::connected() {
   welcomed_ = false;
 }
 
+void Companion::tell(const std::string& line) {
+  if (options_.tell) options_.tell(line);
+}
+
+/// Reports equal refusals once, since a refused client tries again.
+void Companion::refused(const std::string& why) {
+  if (std::exchange(reported_refusal_, why) != why) tell("client refused: " + why);
+}
+
 void Companion::disconnected() {
+  if (welcomed_) tell("client left");
   handshake_.reset();
   has_other_robot_ = false;
   welcomed_ = false;
@@ -157,6 +170,7 @@ void Companion::take_hello(std::span<const std::byte> body) {
     images_[i] = camera ? Image(camera->width, camera->height) : Image();
   }
   welcome_client();
+  if (welcomed_) tell("client connected to the running engine");
 }
 
 void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& memory) {
@@ -225,7 +239,7 @@ void Companion::take_game(std::span<const std::byte> body) {
   game_.read(std::as_bytes(std::span(game.datagram).first(game.size)), inputs);
   if (const std::string complaint = game_.take_complaint(); !complaint.empty()) {
     tell_note(NoteKind::fault, complaint);
-    if (options_.tell) options_.tell(complaint);
+    tell(complaint);
   }
   pending_.add(inputs);
 }

@@ -35,6 +35,7 @@ struct CompanionOptions {
   double patience = 0.1;          ///< s
   /// Called with one line for the operator, which may contain bytes of the client; may be empty.
   std::function<void(const std::string& line)> tell = {};
+  bool stores_commands = false;  ///< each command waits for set_stored() before it is sent
 };
 
 /// Notes that the client gets besides answers.
@@ -57,6 +58,11 @@ class Companion : public Robot, private Receiver {
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
   bool has_other_robot() const { return has_other_robot_ && has_newest_; }
+
+  /// With CompanionOptions::stores_commands: a command whose decision the caller must store before the client may see
+  /// it.
+  std::optional<std::uint32_t> unstored_command() const { return command_.unstored(); }
+  void set_stored(std::uint32_t command) { command_.set_stored(command); }
 
   void tell_state(std::string_view behavior, std::string_view state);
   void tell_note(NoteKind kind, std::string_view text);
@@ -87,6 +93,8 @@ class Companion : public Robot, private Receiver {
   void connected() override;
   void receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) override;
   void disconnected() override;
+  void refused(const std::string& why) override;
+  void tell(const std::string& line);
 
   void take_hello(std::span<const std::byte> body);
   void take_memory(std::span<const std::byte> body, OwnedDescriptor& memory);
@@ -116,6 +124,7 @@ class Companion : public Robot, private Receiver {
   bool continues_ = false;
   int behaviors_ = 0;
   bool welcomed_ = false;
+  std::string reported_refusal_;  ///< since the last welcome
   std::array<std::optional<SharedImages>, 2> shared_;
 
   Arrived arrived_, newest_;

@@ -56,7 +56,8 @@ OwnedDescriptor lock_folder_of(const std::filesystem::path& path) {
   return opened;
 }
 
-/// Removes the socket of an earlier process. Throws if the file is not such a socket.
+/// Removes the socket of an earlier companion of this user, which no process uses any more. Throws if the file may be
+/// anything else: only a refused connection shows that no process has bound the socket, of whatever type it is.
 void remove_left_socket(const std::filesystem::path& path, const sockaddr_un& address) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0) return;
@@ -64,10 +65,14 @@ void remove_left_socket(const std::filesystem::path& path, const sockaddr_un& ad
     throw std::runtime_error("--socket " + path.string() +
                              ": expected a socket or no file, found another file; choose another path");
   const OwnedDescriptor probe = new_socket();
-  const bool answers = connect(probe.get(), generic(address), sizeof(address)) == 0 || errno == EAGAIN;
-  if (answers)
+  const int error = connect(probe.get(), generic(address), sizeof(address)) == 0 ? 0 : errno;
+  if (error == 0 || error == EAGAIN)
     throw std::runtime_error("--socket " + path.string() +
                              ": another companion listens there; stop it or choose another path");
+  if (error != ECONNREFUSED || status.st_uid != geteuid())
+    throw std::runtime_error("--socket " + path.string() +
+                             ": expected no file or an unused socket of this user, found a socket of another program; "
+                             "choose another path");
   unlink(path.c_str());
 }
 
@@ -113,7 +118,7 @@ Connection::~Connection() {
 
 void Connection::refuse(const std::string& why, Receiver& receiver) {
   if (!client_) return;
-  refuse(client_, why);
+  refuse(client_, why, receiver);
   drop(receiver);
 }
 
@@ -134,9 +139,9 @@ void Connection::accept_clients(Receiver& receiver) {
     OwnedDescriptor client(accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!client) return;
     if (!is_same_user(client.get())) {
-      refuse(client, "only processes of the companion's user or of root may connect");
+      refuse(client, "only processes of the companion's user or of root may connect", receiver);
     } else if (client_ && !has_hung_up(client_.get()) && now_() - last_heard_ < kSilent) {
-      refuse(client, "another client is connected and sent data within the last 2 s");
+      refuse(client, "another client is connected and sent data within the last 2 s", receiver);
     } else {
       if (client_) drop(receiver);
       client_ = std::move(client);
@@ -147,7 +152,8 @@ void Connection::accept_clients(Receiver& receiver) {
 }
 
 /// A refusal has the same layout in each version, so that a client of another version can read the reason.
-void Connection::refuse(OwnedDescriptor& client, const std::string& why, std::uint16_t version) const {
+void Connection::refuse(OwnedDescriptor& client, const std::string& why, Receiver& receiver, std::uint16_t version) {
+  receiver.refused(why);
   reorient_refusal refusal{};
   set_text(refusal.why, why);
   std::vector<std::byte> bytes;
@@ -224,7 +230,7 @@ bool Connection::take_whole_messages(Receiver& receiver) {
       rest = bytes.subspan(header.size);
     }
   } catch (const BadMessage& bad) {
-    refuse(client_, bad.what(), version);
+    refuse(client_, bad.what(), receiver, version);
     drop(receiver);
     return false;
   }

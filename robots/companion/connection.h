@@ -28,6 +28,8 @@ class Receiver {
   /// with its text and disconnected.
   virtual void receive(std::uint16_t kind, std::span<const std::byte> body, OwnedDescriptor& memory) = 0;
   virtual void disconnected() = 0;
+  /// A client is refused, the connected one or another one. disconnected() follows for the connected one.
+  virtual void refused(const std::string& why) = 0;
 };
 
 class Connection {
@@ -59,7 +61,8 @@ class Connection {
   void accept_clients(Receiver& receiver);
   void read_messages(Receiver& receiver);
   bool take_whole_messages(Receiver& receiver);
-  void refuse(OwnedDescriptor& client, const std::string& why, std::uint16_t version = REORIENT_VERSION_2) const;
+  static void refuse(OwnedDescriptor& client, const std::string& why, Receiver& receiver,
+                     std::uint16_t version = REORIENT_VERSION_2);
   void drop(Receiver& receiver);
   bool flush();
 

@@ -6,10 +6,16 @@
 #include <iterator>
 #include <string>
 
+#include "geometry/settable_pose.h"
+
 namespace reorient {
 namespace {
 
 constexpr double kFarthest = 1e4;  // m; also limits summed angles, rad
+constexpr std::uint32_t kBodyBits =
+    REORIENT_HAS_HEAD | REORIENT_HAS_ATTITUDE | REORIENT_HAS_RATES | REORIENT_HAS_ACCELERATION | REORIENT_HAS_FOOT_LOAD;
+constexpr std::uint32_t kFrameBits =
+    REORIENT_HAS_TIME | REORIENT_HAS_BELIEF | REORIENT_HAS_TOLD_POSE | REORIENT_HAS_REFEREE | REORIENT_OTHER_HALF;
 
 template <std::size_t Size>
 bool are_within(const double (&values)[Size], double most) {
@@ -67,6 +73,9 @@ void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
     throw BadMessage("frame: " + std::to_string(frame.messages) + " messages (expected at most 8)");
   if (frame.posture > REORIENT_GETTING_UP)
     throw BadMessage("frame: unknown posture " + std::to_string(frame.posture) + " (expected 0 to 4)");
+  check_bits(frame.has, kBodyBits | kFrameBits, "frame: has");
+  if (message.has(REORIENT_HAS_REFEREE)) check_choice(frame.penalized, 1, "frame: penalized");
+  for (const reorient_image& image : frame.images) check_choice(image.present, 2, "frame: images: present");
   for (std::uint32_t i = 0; i < frame.particles; ++i) {
     const auto particle = take_message<reorient_particle>(bytes, "frame: particle");
     message.particles.push_back({Pose2(particle.x, particle.y, particle.rotation), particle.weight});
@@ -84,8 +93,9 @@ void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
 bool is_odometry_valid(const reorient_frame& frame) { return are_within(frame.odometry, kFarthest); }
 
 bool is_initial_pose_valid(const reorient_frame& frame) {
-  return are_within(frame.told_pose, kFarthest) && frame.told_deviation[0] > 0.0 && frame.told_deviation[0] <= 20.0 &&
-         frame.told_deviation[1] > 0.0 && frame.told_deviation[1] <= 10.0;
+  return mistake_in_pose(frame.told_pose[0], frame.told_pose[1], frame.told_pose[2]).empty() &&
+         frame.told_deviation[0] > 0.0 && frame.told_deviation[0] <= 20.0 && frame.told_deviation[1] > 0.0 &&
+         frame.told_deviation[1] <= 10.0;
 }
 
 Pose2 pose_of(const double (&numbers)[3]) { return Pose2(numbers[0], numbers[1], numbers[2]); }
@@ -107,7 +117,8 @@ std::string error_in(const FrameMessage& message) {
   if (!sound_particles)
     return "invalid particle (expected poses of -1e4 to 1e4 m and rad, finite weights of at least 0)";
   if (message.has(REORIENT_HAS_TOLD_POSE) && !is_initial_pose_valid(frame))
-    return "invalid told_pose or told_deviation (expected deviations above 0, at most 20 m and 10 rad)";
+    return "invalid told_pose or told_deviation (expected -100 to 100 m, -200 pi to 200 pi rad, deviations above 0, at "
+           "most 20 m and 10 rad)";
   for (std::size_t i = 0; i < std::size(frame.images); ++i) {
     const reorient_image& image = frame.images[i];
     if (image.present == 0) continue;
@@ -125,6 +136,7 @@ reorient_sample read_sample(std::span<const std::byte> bytes) {
   if (!bytes.empty())
     throw BadMessage("sample: " + std::to_string(bytes.size()) + " bytes too many (expected " +
                      std::to_string(sizeof(sample)) + ")");
+  check_bits(sample.has, kBodyBits | REORIENT_HAS_TIME, "sample: has");
   return sample;
 }
 

@@ -19,7 +19,7 @@ struct FrameMessage {
   bool has(std::uint32_t what) const { return (frame.has & what) != 0; }
 };
 
-/// Throws BadMessage for a wrong size, too many particles or messages, or an unknown posture.
+/// Throws BadMessage for a wrong size, too many particles or messages, or an unknown value of a field that is a choice.
 void read_frame(std::span<const std::byte> bytes, FrameMessage& message);
 
 /// Which numbers are invalid, and what is expected; empty if valid. An invalid frame is dropped, the client stays.
@@ -31,7 +31,7 @@ bool is_initial_pose_valid(const reorient_frame& frame);
 
 Pose2 pose_of(const double (&numbers)[3]);
 
-/// Reads a sample. Throws BadMessage for a wrong size.
+/// Reads a sample. Throws BadMessage for a wrong size or unknown bits.
 reorient_sample read_sample(std::span<const std::byte> bytes);
 bool is_valid(const reorient_sample& sample);
 

@@ -158,6 +158,10 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
   if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
     throw BadMessage("hello: way is " + std::to_string(hello.way) +
                      " (expected 1, your localization, or 2, Reorient's)");
+  check_bits(hello.wants, REORIENT_WANT_HEAD | REORIENT_WANT_WALK | REORIENT_WANT_GET_UP, "hello: wants");
+  check_bits(hello.body.has, REORIENT_BODY_NUMBERS | REORIENT_BODY_FEET | REORIENT_BODY_WALK | REORIENT_BODY_GET_UP,
+             "hello: body.has");
+  check_choice(hello.body.pitch_first, 1, "hello: body.pitch_first");
   if (hello.client == 0)
     throw BadMessage("hello: client is 0 (expected a random number, drawn when your process starts)");
   Handshake handshake;

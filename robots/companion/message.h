@@ -34,6 +34,19 @@ Message take_message(std::span<const std::byte>& bytes, const char* what) {
   return message;
 }
 
+/// Checks a field that is a sum of bits or a choice. Throws BadMessage: an unknown value has a meaning that would be
+/// lost.
+inline void check_bits(std::uint32_t value, std::uint32_t known, const char* what) {
+  if ((value & ~known) != 0)
+    throw BadMessage(std::string(what) + " is " + std::to_string(value) + ", which contains unknown bits (expected " +
+                     "a sum of bits of " + std::to_string(known) + ")");
+}
+inline void check_choice(std::uint32_t value, std::uint32_t most, const char* what) {
+  if (value > most)
+    throw BadMessage(std::string(what) + " is " + std::to_string(value) + " (expected 0 to " + std::to_string(most) +
+                     ")");
+}
+
 /// Appends a message with its header.
 template <typename Message>
 void append_message(std::uint16_t kind, const Message& message, std::vector<std::byte>& bytes) {

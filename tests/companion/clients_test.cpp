@@ -259,6 +259,78 @@ TEST_F(CompanionClient, NeedNotRepeatAnInitialPoseThatItSentJustBeforeTheCompani
   EXPECT_LT((pose->position - told.position).norm(), 0.3) << pose->position.transpose();
 }
 
+/// The first command in the answers to these frames, of which a second of the robot's time has ten.
+std::optional<std::uint32_t> command_within(RawClient& client, double begin, int frames, std::uint32_t done = 0,
+                                            std::uint64_t server = 0) {
+  std::optional<std::uint32_t> command;
+  for (int i = 0; i < frames && !command; ++i) {
+    const auto number = static_cast<std::uint64_t>(10.0 * begin) + static_cast<std::uint64_t>(i) + 1;
+    reorient_frame frame = standing_frame(number, begin + 0.1 * i, client.paint(90));
+    frame.has |= REORIENT_HAS_BELIEF;
+    frame.done = done;
+    frame.done_server = server;
+    if (!client.send(REORIENT_FRAME, frame)) break;
+    await([&] {
+      const std::optional<reorient_answer> answer = client.answer();
+      if (!answer || answer->number != number) return false;
+      if (answer->command > done) command = answer->command;
+      return true;
+    });
+  }
+  return command;
+}
+
+TEST_F(CompanionClient, GetsACommandAtMostOnceAlsoIfTheCompanionIsKilledRightAfterIt) {
+  const std::filesystem::path scripts = folder_.path() / "scripts";
+  std::filesystem::create_directories(scripts / "behaviors");
+  std::ofstream(scripts / "behaviors/once.lua") << R"(behavior "once" { initial = "waiting",
+    state "waiting" { { "done", after = 1.0, because = "it is time" } },
+    state "done" { enter = function() command.flip_pose() end } })";
+  std::vector<std::string> words = server();
+  words.insert(words.end(), {"--scripts", scripts.string(), "--behaviors", "once"});
+  const reorient_hello hello = small_hello(1, REORIENT_OWN_LOCALIZATION);
+  for (int run = 0; run < 3; ++run) {
+    {
+      std::vector<std::string> fresh = words;
+      fresh.emplace_back("--fresh");
+      const ChildProgram companion(folder_.path(), fresh);
+      ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+      RawClient client(socket());
+      client.introduce(hello);
+      ASSERT_TRUE(command_within(client, 0.0, 2000)) << companion.out() << companion.err();
+      companion.kill(SIGKILL);  // the client carries it out
+    }
+    const ChildProgram companion(folder_.path(), words);
+    ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+    RawClient client(socket());
+    client.introduce(hello);
+    EXPECT_FALSE(command_within(client, 300.0, 30)) << "a second flip would cancel the first one";
+    EXPECT_NE(companion.err().find("continues from the saved state"), std::string::npos) << companion.err();
+  }
+}
+
+TEST_F(CompanionClient, IsReportedWhenItLeavesOrIsRefused) {
+  const ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+  {
+    RawClient client(socket());
+    reorient_hello hello = small_hello(1);
+    hello.way = 9;
+    client.introduce(hello);
+    EXPECT_TRUE(companion.await("reorient: client refused: hello: way is 9")) << companion.err();
+  }
+  {
+    RawClient client(socket());
+    reorient_hello hello = small_hello(2);
+    set_text(hello.body.name, "\x1b[2Jred");
+    client.introduce(hello);
+    EXPECT_TRUE(companion.await("client connected: \\x1B[2Jred")) << companion.err();
+    EXPECT_EQ(companion.err().find('\x1b'), std::string::npos) << "the name must not control the terminal";
+    ASSERT_TRUE(pose_after(client, 0.0, 1, std::nullopt)) << companion.err();
+  }
+  EXPECT_TRUE(companion.await("reorient: client left")) << companion.err();
+}
+
 TEST_F(CompanionClient, GetsOneLineForOptionsThatTheCompanionDoesNotUse) {
   const std::filesystem::path link = folder_.path() / "link";
   std::filesystem::create_symlink(folder_.path() / "precious", link);

@@ -56,16 +56,17 @@ KnownRobots known_robots() {
           }};
 }
 
-/// Digest of everything that must be equal when a process continues from a saved state. It contains --sides-changed,
-/// because the state is in the axes of one half: otherwise the model file would be saved in the wrong axes.
+/// The program's version and a digest of everything else that must be equal when a process continues from a saved
+/// state. It contains --sides-changed, because the state is in the axes of one half: otherwise the model file would be
+/// saved in the wrong axes.
 std::string circumstances_of(const Handshake& handshake, const FrameSetup& setup, const RunOptions& options) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
-  out(std::string(REORIENT_VERSION), identity_of(handshake), setup.room_awareness, setup.behaviors, setup.parameters,
-      options.model.string(), options.sides_changed);
+  out(identity_of(handshake), setup.room_awareness, setup.behaviors, setup.parameters, options.model.string(),
+      options.sides_changed);
   Digest digest;
   digest.add(bytes);
-  return digest.hex();
+  return REORIENT_VERSION " " + digest.hex();
 }
 
 /// The companion as the robot of the run loop: saves the state before it waits for the next frame.
@@ -82,7 +83,10 @@ class KeptCompanion : public Robot {
     return is_there;
   }
   bool any_frame() const { return any_frame_; }
-  void answer(const Answer& answer) override { companion_.answer(answer); }
+  void answer(const Answer& answer) override {
+    keeper_.release_command(companion_);
+    companion_.answer(answer);
+  }
 
  private:
   Companion& companion_;
@@ -155,12 +159,12 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
                        .server = random_number(),
                        .now = monotonic_clock,
                        .is_over = is_over,
-                       .tell = tell});
+                       .tell = tell,
+                       .stores_commands = true});
   err << "reorient: listening at " << socket.string() << "; waiting for a client\n" << std::flush;
 
   bool fresh = options.fresh;
   std::vector<std::string> failures;
-  std::string printed_mistake;
   while (const Handshake* const connected = companion.wait_for_handshake()) {
     const Handshake handshake = *connected;
     std::optional<StateKeeper> kept;
@@ -182,11 +186,9 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       // A model of another wall, or a script with a new error. Other clients may connect, and the script may be fixed.
       const bool is_models = dynamic_cast<const UnfitModel*>(&error) != nullptr;
       const std::string mistake = (is_models ? "--model " + options.model.string() + ": " : "") + error.what();
-      if (std::exchange(printed_mistake, mistake) != mistake) err << "reorient: " << mistake << "\n" << std::flush;
       companion.refuse(mistake);
       continue;
     }
-    printed_mistake.clear();
     StateKeeper& keeper = *kept;
     fresh = false;
     engine_now = engine.get();

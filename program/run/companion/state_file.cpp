@@ -76,20 +76,27 @@ std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion&
 
 void StateKeeper::keep(const FrameLoop& engine, Companion& companion, double now, bool is_urgent) {
   is_urgent_ |= is_urgent;
-  if (file_.empty() || now - last_ < (is_urgent_ ? kUrgentPeriod : kPeriod)) return;
-  if (writing_.is_busy()) return;  // the next frame tries again
+  release_command(companion);
+  const bool is_due = companion.unstored_command() || now - last_ >= (is_urgent_ ? kUrgentPeriod : kPeriod);
+  if (!is_due || writing_.is_busy()) return;  // the next frame tries again
   last_ = now;
   is_urgent_ = false;
   begin_writing(engine, companion);
 }
 
+void StateKeeper::release_command(Companion& companion) {
+  if (!writing_command_ || writing_.is_busy()) return;
+  companion.set_stored(*writing_command_);
+  writing_command_.reset();
+}
+
 void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
-  if (file_.empty()) return;
   begin_writing(engine, companion);
   writing_.end();
 }
 
 void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
+  writing_command_ = companion.unstored_command();
   std::error_code failed;  // on failure the file is overwritten
   if (std::exchange(is_of_another_, false)) std::filesystem::rename(file_, aside(), failed);
   writing_.start([bytes = bytes_of(engine, companion), file = file_] {
@@ -100,7 +107,6 @@ void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
 
 std::unique_ptr<FrameLoop> StateKeeper::restore(Companion& companion, std::string& why_not) {
   why_not.clear();
-  if (file_.empty()) return nullptr;
   is_of_another_ = false;
   std::unique_ptr<FrameLoop> engine = read(file_, companion, why_not);
   if (!is_of_another_) return engine;
@@ -129,7 +135,13 @@ std::unique_ptr<FrameLoop> StateKeeper::read(const std::filesystem::path& file, 
     check_bytes(wall_clock() - saved <= kOldest && saved <= wall_clock() + kPeriod,
                 "saved more than 10 minutes ago, or in the future");
     is_of_another_ = circumstances != circumstances_;
-    check_bytes(!is_of_another_, "saved with another version, robot, field, set of behaviors, parameters or options");
+    if (is_of_another_) {
+      const auto version = [](const std::string& all) { return all.substr(0, all.find(' ')); };
+      why_not = version(circumstances) == version(circumstances_)
+                    ? "saved for another robot, field, set of behaviors, parameters or options"
+                    : "saved by another version";
+      return nullptr;
+    }
     std::vector<std::byte> state;
     in(state);
     auto engine = std::make_unique<FrameLoop>(state);

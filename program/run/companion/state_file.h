@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -20,15 +21,20 @@ namespace reorient {
 /// std::runtime_error with one line.
 void require_no_link(const std::filesystem::path& file);
 
-/// Saves once a second, and inputs that a client sends once at once. Frames do not wait for the disk.
+/// Saves once a second, and inputs that a client sends once and commands at once. Frames do not wait for the disk, but
+/// commands do: the client gets a command only when the state is stored in which it was decided. Otherwise a process
+/// that is killed in between would decide it again, and two flips cancel out.
 class StateKeeper {
  public:
-  /// `circumstances`: equal for two processes that continue from each other. Empty file: saves nothing.
+  /// `circumstances`: equal for two processes that continue from each other; begins with the version and a space.
   StateKeeper(std::filesystem::path file, std::string circumstances);
 
   /// Between two frames; `now`: s, of a monotonic clock. `is_urgent`: the previous frame contained an initial pose,
   /// which is sent once; if each frame does, the state is saved ten times a second.
   void keep(const FrameLoop& engine, Companion& companion, double now, bool is_urgent);
+  /// Before each answer: releases the command whose state was written meanwhile. If it could not be written, releases
+  /// it as well: a full disk must not keep the belief wrong.
+  void release_command(Companion& companion);
   /// Saves the final state when the run ends.
   void finish(const FrameLoop& engine, Companion& companion);
 
@@ -47,6 +53,7 @@ class StateKeeper {
   bool is_of_another_ = false;  // the file contains another robot's state, which has not been moved yet
   double last_ = -1e9;          // s, time of the last save
   bool is_urgent_ = false;      // a save was urgent since then
+  std::optional<std::uint32_t> writing_command_;  // its decision is in the state that is being written
   BackgroundWriting writing_;
 };
 

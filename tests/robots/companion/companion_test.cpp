@@ -370,6 +370,113 @@ TEST_F(CompanionTest, MovesAnInitialPoseToTheFrameThatIsUsed) {
   EXPECT_NEAR(observation->external.initial_pose->pose.position.x(), 2.0, 1e-9);
 }
 
+TEST_F(CompanionTest, IgnoresAnInitialPoseFarFromAnyField) {
+  RawClient client = greeted();
+  std::uint64_t number = 0;
+  for (const double far : {101.0, -1e4, 1e308, std::numeric_limits<double>::quiet_NaN()}) {
+    for (int axis = 0; axis < 2; ++axis) {
+      ++number;
+      reorient_frame frame = frame_with_initial_pose(number, static_cast<double>(number), client.paint(1));
+      frame.told_pose[axis] = far;
+      client.send(REORIENT_FRAME, frame);
+      EXPECT_FALSE(observed()) << far;
+    }
+  }
+  client.send_frame(100.0, ++number);
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->external.initial_pose);
+}
+
+TEST_F(CompanionTest, RefusesUnknownValuesOfFieldsThatAreChoices) {
+  const auto refusal = [this](auto&& change) {
+    RawClient client = greeted();
+    reorient_frame frame = standing_frame(1, now_, client.paint(1));
+    reorient_sample sample{};
+    sample.time = now_;
+    change(frame, sample);
+    client.send(REORIENT_SAMPLE, sample);
+    client.send(REORIENT_FRAME, frame);
+    now_ += 1.0;
+    static_cast<void>(observed());
+    const std::string why = client.refusal();
+    client.end();
+    static_cast<void>(observed());
+    return why;
+  };
+  using Frame = reorient_frame;
+  using Sample = reorient_sample;
+  EXPECT_EQ(refusal([](Frame&, Sample&) {}), "");
+  EXPECT_EQ(refusal([](Frame& frame, Sample&) { frame.penalized = 2; }), "") << "unused without its bit";
+  EXPECT_EQ(refusal([](Frame& frame, Sample&) {
+              frame.has |= REORIENT_HAS_REFEREE;
+              frame.penalized = 2;
+            }),
+            "frame: penalized is 2 (expected 0 to 1)");
+  EXPECT_EQ(refusal([](Frame& frame, Sample&) { frame.has |= 1024; }),
+            "frame: has is 1025, which contains unknown bits (expected a sum of bits of 1023)");
+  EXPECT_EQ(refusal([](Frame& frame, Sample&) { frame.has = 0xffff'ffffu; }),
+            "frame: has is 4294967295, which contains unknown bits (expected a sum of bits of 1023)");
+  EXPECT_EQ(refusal([](Frame& frame, Sample&) { frame.images[1].present = 3; }),
+            "frame: images: present is 3 (expected 0 to 2)");
+  EXPECT_EQ(refusal([](Frame&, Sample& sample) { sample.has = 64; }),
+            "sample: has is 64, which contains unknown bits (expected a sum of bits of 63)");
+}
+
+TEST_F(CompanionTest, ReportsClientsThatConnectLeaveOrAreRefused) {
+  RawClient client = greeted();
+  RawClient second(folder_.path() / "socket");
+  second.introduce(small_hello(9));
+  static_cast<void>(observed());
+  static_cast<void>(observed());
+  client.send(999, reorient_game{});
+  static_cast<void>(observed());
+  client = greeted();
+  client.end();
+  static_cast<void>(observed());
+  const std::vector<std::string> expected{
+      "client refused: another client is connected and sent data within the last 2 s",
+      "client refused: unknown message type 999 (expected 1 to 5)", "client left",
+      "client connected to the running engine", "client left"};
+  EXPECT_EQ(told_, expected);
+}
+
+TEST_F(CompanionTest, SendsACommandOnlyAfterItsDecisionIsStored) {
+  CompanionOptions options = this->options();
+  options.stores_commands = true;
+  companion_.reset();
+  companion_.emplace(options);
+  RawClient client = greeted(small_hello(7, REORIENT_OWN_LOCALIZATION));
+  std::uint64_t number = 0;
+  const auto command_after = [&](std::optional<Reorientation> decided) -> std::uint32_t {
+    ++number;
+    client.send_frame(static_cast<double>(number), number);
+    EXPECT_TRUE(observed());
+    Answer answer;
+    answer.reorientation = decided;
+    companion_->answer(answer);
+    const std::optional<reorient_answer> heard = client.answer();
+    EXPECT_TRUE(heard);
+    return heard ? heard->command : 0;
+  };
+  EXPECT_EQ(command_after(std::nullopt), 0u);
+  EXPECT_FALSE(companion_->unstored_command());
+  EXPECT_EQ(command_after(Reorientation::flip_pose), 0u);
+  EXPECT_EQ(command_after(std::nullopt), 0u) << "the answer does not wait, but the command does";
+  ASSERT_EQ(companion_->unstored_command(), 1u);
+  companion_->set_stored(7);
+  EXPECT_EQ(command_after(std::nullopt), 0u) << "of another command";
+  companion_->set_stored(1);
+  EXPECT_FALSE(companion_->unstored_command());
+  EXPECT_EQ(command_after(std::nullopt), 1u);
+  EXPECT_EQ(command_after(Reorientation::reset_orientation), 0u) << "a new decision is stored first, too";
+  EXPECT_EQ(companion_->unstored_command(), 2u);
+  companion_->set_stored(1);
+  EXPECT_EQ(command_after(std::nullopt), 0u);
+  companion_->set_stored(2);
+  EXPECT_EQ(command_after(std::nullopt), 2u);
+}
+
 TEST_F(CompanionTest, DropsAnInitialPoseIfTheClientsProcessRestarts) {
   RawClient client = greeted();
   const auto tell = [&] {
@@ -785,6 +892,45 @@ TEST_F(CompanionTest, DoesNotRemoveTheSocketOfAnotherProcess) {
   EXPECT_TRUE(RawClient(folder_.path() / "socket").is_connected());
 }
 
+TEST_F(CompanionTest, RemovesOnlyAStreamSocketThatNoProcessUses) {
+  const std::filesystem::path path = folder_.path() / "other";
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string text = path.string();
+  std::copy(text.begin(), text.end(), address.sun_path);
+  CompanionOptions options = this->options();
+  options.socket = path;
+  for (const int type : {SOCK_STREAM, SOCK_DGRAM, SOCK_SEQPACKET}) {
+    SCOPED_TRACE(type);
+    OwnedDescriptor other(socket(AF_UNIX, type | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(bind(other.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    ASSERT_EQ(listen(other.get(), 1), type == SOCK_DGRAM ? -1 : 0);
+    struct stat before {
+    }, after{};
+    ASSERT_EQ(lstat(path.c_str(), &before), 0);
+    try {
+      const Companion companion(options);
+      FAIL() << "it listens at the socket of another program";
+    } catch (const std::runtime_error& error) {
+      const char* const why = type == SOCK_STREAM ? "another companion listens there" : "a socket of another program";
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+    ASSERT_EQ(lstat(path.c_str(), &after), 0) << "it was removed";
+    EXPECT_EQ(after.st_ino, before.st_ino);
+    other = OwnedDescriptor();
+    { const Companion companion(options); }  // its process has ended
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  if (geteuid() != 0) return;
+  // Only root can create a socket of another user.
+  {
+    const OwnedDescriptor other(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    ASSERT_EQ(bind(other.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+  }
+  ASSERT_EQ(lchown(path.c_str(), 12345, 12345), 0);
+  EXPECT_THROW(Companion{options}, std::runtime_error);
+}
+
 TEST_F(CompanionTest, ReportsWhyAFrameIsUnusableButNotForEachFrame) {
   RawClient client = greeted();
   std::uint64_t number = 100;
@@ -813,7 +959,7 @@ TEST_F(CompanionTest, ReportsWhyAFrameIsUnusableButNotForEachFrame) {
     frame.told_deviation[0] = 0.0;
   });
   ASSERT_EQ(later.size(), 1u);
-  EXPECT_NE(later[0].find("invalid told_pose or told_deviation (expected deviations above 0"), std::string::npos)
+  EXPECT_NE(later[0].find("invalid told_pose or told_deviation (expected -100 to 100 m, "), std::string::npos)
       << later[0];
 }
 

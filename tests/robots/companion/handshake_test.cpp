@@ -105,6 +105,10 @@ TEST(Handshake, WithAnErrorIsRefusedWithTheReason) {
       {[&](auto& hello) { hello.body.first_axis[0] = nan; }, "first_axis"},
       {[](auto& hello) { hello.field.length = 1e9; }, "field: 'length' must be a number from 2 to 120"},
       {[](auto& hello) { hello.field.length = 0.0; }, "unknown field 'spl'"},
+      {[](auto& hello) { hello.wants = 8; },
+       "hello: wants is 8, which contains unknown bits (expected a sum of bits of 7)"},
+      {[](auto& hello) { hello.body.has |= 16; }, "hello: body.has is"},
+      {[](auto& hello) { hello.body.pitch_first = 2; }, "hello: body.pitch_first is 2 (expected 0 to 1)"},
   };
   for (const auto& [make, why] : mistakes) {
     reorient_hello hello = small_hello();
