@@ -11,6 +11,38 @@
 
 namespace reorient {
 
+void require_room(const std::vector<std::unique_ptr<ScriptSlot>>& slots, const ScriptSlot& slot,
+                  const ScriptLimits& limits) {
+  struct Bound {
+    const char* name;
+    int ScriptLimits::*limit;
+    std::int64_t most;
+  };
+  // Some seconds and half a gigabyte: about 200 scripts with the default limits.
+  constexpr Bound kBounds[] = {{"instructions_per_frame", &ScriptLimits::instructions_per_frame, 20'000'000},
+                               {"instructions_per_load", &ScriptLimits::instructions_per_load, 400'000'000},
+                               {"max_memory", &ScriptLimits::max_memory, 512 * 1024}};
+  for (const Bound& bound : kBounds) {
+    std::int64_t sum = limits.*bound.limit;
+    const auto add = [&](const ScriptSlot& other) {
+      for (const Script* const script : {other.script.get(), other.last_good.get()}) {
+        if (script != nullptr) sum += script->limits().*bound.limit;
+      }
+    };
+    for (const auto& other : slots) {
+      if (other.get() != &slot) add(*other);
+    }
+    add(slot);
+    if (sum > bound.most) {
+      throw ScriptError({slot.file,
+                         0,
+                         "script." + std::string(bound.name) + ": expected at most " + std::to_string(bound.most) +
+                             " for all scripts together, found " + std::to_string(sum),
+                         {}});
+    }
+  }
+}
+
 ScriptHost::ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterRegistry& parameters,
                        const ScriptLimits& limits, const MachineDirectory* directory)
     : texts_(std::move(texts)),
@@ -41,6 +73,7 @@ void ScriptHost::load(const std::string& name) {
 }
 
 std::unique_ptr<Script> ScriptHost::compile(const ScriptSlot& slot, BundleHashes& hashes) const {
+  require_room(slots_, slot, limits_);
   auto script = std::make_unique<Script>(texts_, slot.file, language_, limits_, parameters_, directory_, hashes);
   refuse_taken_names(slot, *script);
   return script;

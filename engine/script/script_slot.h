@@ -45,4 +45,9 @@ struct ScriptSlot {
   double microseconds = 0.0;
 };
 
+/// Bounds what all scripts may use together, because a recording brings the limits of its scripts. Call it before a
+/// version of `slot` is compiled with `limits`. Throws ScriptError.
+void require_room(const std::vector<std::unique_ptr<ScriptSlot>>& slots, const ScriptSlot& slot,
+                  const ScriptLimits& limits);
+
 }  // namespace reorient

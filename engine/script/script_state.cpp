@@ -79,6 +79,7 @@ std::unique_ptr<Script> ScriptHost::restored_script(const ScriptSlot& slot, Byte
   describe(limits, RangeCheck{});
   BundleHashes ignored;
   try {
+    require_room(slots_, slot, limits);
     auto script = std::make_unique<Script>(sources, slot.file, language_, limits, parameters_, directory_, ignored);
     refuse_taken_names(slot, *script);
     in(script->sandbox());

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -67,6 +69,44 @@ TEST(Inputs, AreReadBackFromBytesUnchanged) {
     write_inputs(StoredInputs(bytes).inputs(), again);
     ASSERT_EQ(again, bytes);
   }
+}
+
+/// A recording brings the limits of its scripts. Together they must not exceed those of the program.
+TEST(State, WithHugeLimitsOfItsScriptsIsRefusedBeforeTheyRun) {
+  FrameSetup setup = eventful_setup();
+  const Bytes state = state_of(FrameLoop(setup));
+  struct Limit {
+    const char* name;
+    std::size_t at;  // in the limits, which begin with the three that are bounded
+    std::int32_t value;
+  };
+  const auto with = [&](const Limit& limit) {
+    const std::int32_t usual[] = {kDefaultLimits.instructions_per_frame, kDefaultLimits.instructions_per_load,
+                                  kDefaultLimits.max_memory, kDefaultLimits.string_length};
+    const auto pattern = std::as_bytes(std::span(usual));
+    Bytes changed = state;
+    int found = 0;
+    for (auto at = changed.begin();
+         (at = std::search(at, changed.end(), pattern.begin(), pattern.end())) != changed.end(); at += 1) {
+      std::memcpy(&*at + sizeof(std::int32_t) * limit.at, &limit.value, sizeof(limit.value));
+      ++found;
+    }
+    EXPECT_GT(found, 0) << "the limits of each script";
+    return changed;
+  };
+  for (const Limit& limit : {Limit{"instructions_per_frame", 0, 100'000'000},
+                             Limit{"instructions_per_load", 1, 1'000'000'000}, Limit{"max_memory", 2, 1'048'576}}) {
+    const Bytes changed = with(limit);
+    try {
+      const FrameLoop engine{std::span<const std::byte>(changed)};
+      ADD_FAILURE() << limit.name;
+    } catch (const BadBytes& bad) {
+      EXPECT_NE(std::string(bad.what()).find("script." + std::string(limit.name) + ": expected at most "),
+                std::string::npos)
+          << bad.what();
+    }
+  }
+  EXPECT_NO_THROW(FrameLoop{std::span<const std::byte>(with({"max_memory", 2, 2048}))});
 }
 
 TEST(Inputs, GiveTheSameRecordsForAnyObserver) {
