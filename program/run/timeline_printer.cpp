@@ -19,7 +19,8 @@ TimelinePrinter::TimelinePrinter(std::ostream& out, bool every_event, std::funct
     : out_(out), every_event_(every_event), make_room_(std::move(make_room)) {}
 
 bool TimelinePrinter::is_news(const TimelineEvent& event) {
-  if (every_event_) return true;
+  const bool is_of_operator = event.machine == "note" && event.state.starts_with("note: ");
+  if (every_event_ || is_of_operator) return true;
   if (last_.size() >= kMostRemembered && event.time >= tidied_ + 1.0) {
     std::erase_if(last_, [&](const auto& each) { return event.time - each.second >= kRepeats; });
     tidied_ = event.time;

@@ -50,6 +50,17 @@ TEST_F(TimelinePrinterTest, PrintsInTheFrameInWhichItHappens) {
       << text;
 }
 
+/// The operator repeats a note on purpose; a script that repeats one in each frame is counted.
+TEST_F(TimelinePrinterTest, PrintsEachNoteOfTheOperator) {
+  TimelinePrinter printer(out, false);
+  frame.logs.push_back({0, 0, "moved the robot", 0, true});
+  for (const double time : {1.0, 2.0, 3.0})
+    EXPECT_NE(printed(printer, time).find("note: moved the robot\n"), std::string::npos) << time;
+  frame.logs[0].machine = id("busy");
+  EXPECT_NE(printed(printer, 4.0), "");
+  EXPECT_EQ(printed(printer, 5.0), "");
+}
+
 TEST_F(TimelinePrinterTest, CountsRepeatedEventsAndPrintsTheCountAtTheEnd) {
   TimelinePrinter printer(out, false);
   frame.transitions.push_back(transition("busy"));
