@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include "engine/parameters/nearest_name.h"
@@ -33,6 +35,12 @@ void require_file(const fs::path& file, const std::string& what) {
 
 std::string read_file(const fs::path& file, const std::string& what) {
   require_file(file, what);
+  constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;  // a table of millions of images
+  std::error_code error;
+  if (const std::uintmax_t size = fs::file_size(file, error); !error && size > kLargestFile) {
+    throw BadFootage(file.string() + ": expected " + what + " of at most " + std::to_string(kLargestFile) +
+                     " bytes, found " + std::to_string(size));
+  }
   std::optional<std::string> text = read_whole_file(file);
   if (!text) throw BadFootage(file.string() + ": expected " + what + ", found a file that cannot be read");
   return std::move(*text);

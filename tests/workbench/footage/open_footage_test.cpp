@@ -171,6 +171,12 @@ TEST_F(OpenFootage, DoesNotWaitForAPipe) {
     expect_refused(read(folder() / name).second, "found something that is not a regular file");
 }
 
+TEST_F(OpenFootage, DoesNotReadAFileThatIsTooLarge) {
+  const std::filesystem::path table = folder_.write("frames.csv", "image,time_s\n");
+  std::filesystem::resize_file(table, std::uintmax_t{1} << 40);  // a hole
+  expect_refused(read(table).second, "frames.csv: expected a table of at most 268435456 bytes, found 1099511627776");
+}
+
 TEST_F(OpenFootage, ReportsWhatIsMissing) {
   expect_refused(read(folder() / "nothing").second, "found nothing of that name");
   expect_refused(read(folder()).second, "expected frames.csv or images (JPEG, PNG, ...), found neither");
