@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `reorient recording`: inspects, exports, draws, cuts and recovers recordings.
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -13,6 +15,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "program/help.h"
 #include "program/interruption.h"
 #include "program/named_files.h"
@@ -32,6 +35,8 @@
 namespace reorient {
 namespace {
 
+constexpr int kLongestTableHead = 100;  // bytes of its first line that identify a table
+
 struct RecordingOptions {
   std::filesystem::path file, out;
   std::string csv;
@@ -41,10 +46,11 @@ struct RecordingOptions {
 
 int info(const std::filesystem::path& file, std::ostream& out) {
   Recording recording(file);
+  recording.read_views();
   const mcap::Contents& contents = recording.contents();
-  out << fmt::format("{}: {:.1f} MB, written by {}\n", file.string(),
-                     1e-6 * static_cast<double>(recording.source().size()), contents.library);
-  for (const auto& [name, text] : recording.about()) out << fmt::format("  {}: {}\n", name, text);
+  out << fmt::format("{}: {:.1f} MB, written by {}\n", as_line(file.string()),
+                     1e-6 * static_cast<double>(recording.source().size()), as_line(contents.library));
+  for (const auto& [name, text] : recording.about()) out << fmt::format("  {}: {}\n", as_line(name), as_line(text));
 
   std::uint64_t frames = 0, exact = 0;
   double first = 0.0, last = 0.0;
@@ -73,13 +79,15 @@ int info(const std::filesystem::path& file, std::ostream& out) {
   for (const mcap::Channel& channel : contents.channels) {
     const auto read = recording.tallies().find(channel.id);
     const Recording::Tally tally = read == recording.tallies().end() ? Recording::Tally() : read->second;
-    out << fmt::format("{:<24} {:>9} {:>8.1f} {:>10.2f}\n", channel.topic, tally.messages,
+    out << fmt::format("{:<24} {:>9} {:>8.1f} {:>10.2f}\n", as_line(channel.topic), tally.messages,
                        seconds > 0.0 ? static_cast<double>(tally.messages) / seconds : 0.0,
                        1e-6 * static_cast<double>(tally.bytes));
   }
   if (!contents.is_complete) out << "its end is missing; 'reorient recording recover' repairs it\n";
   for (const std::string& damage : recording.damages()) out << "damaged " << damage << '\n';
-  return recording.damages().empty() ? kSuccess : kWrong;
+  const Recording::Losses losses = recording.losses();
+  if (losses.any()) out << text_of(losses) << '\n';
+  return recording.damages().empty() && !losses.any() ? kSuccess : kWrong;
 }
 
 /// Checks the output file of a command that makes another recording.
@@ -98,36 +106,55 @@ int rewrite(const RecordingOptions& options, std::ostream& out, std::ostream& er
   Recording recording(options.file);
   const Rewritten done = rewrite(recording);
   tell_damages(recording, err);
-  out << fmt::format("{}: {}, {:.2f} to {:.2f} s", options.out.string(), counted(done.frames, "frame"), done.first_time,
-                     done.last_time);
-  if (done.lost > 0) out << fmt::format("; {} lost", counted(done.lost, "frame"));
+  out << fmt::format("{}: {}, {:.2f} to {:.2f} s", as_line(options.out.string()), counted(done.frames, "frame"),
+                     done.first_time, done.last_time);
+  if (done.losses.any()) out << "; " << text_of(done.losses);
   out << '\n';
   // The exit code warns a user who would delete the old recording: another reader may still recover those frames.
-  return done.lost > 0 ? kWrong : kSuccess;
+  return done.losses.any() ? kWrong : kSuccess;
+}
+
+/// An earlier table may be replaced, but no other file.
+void require_new_or_table(const std::filesystem::path& file, const std::string& option) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) == 0) return;
+  std::string line;
+  std::ifstream(file) >> std::setw(kLongestTableHead) >> line;
+  if (begins_csv(line)) return;
+  throw std::runtime_error(
+      option + " " + file.string() +
+      ": expected a new file or a table of this command, found another file, which was not changed; name another one");
 }
 
 int export_csv(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
   Recording recording(options.file);
+  recording.leave_out_images();
+  std::uint64_t left_out = 0;
   if (options.out.empty()) {
-    write_csv(recording, options.csv, out);
+    left_out = write_csv(recording, options.csv, out);
   } else {
     require_other_file(options);
+    require_new_or_table(options.out, "--out");
     FileInTheMaking beside(options.out);
     std::ofstream text(beside.path());
-    write_csv(recording, options.csv, text);
+    left_out = write_csv(recording, options.csv, text);
     text.close();
     if (!text)
       throw std::runtime_error("cannot write '" + options.out.string() + "'; check the free space of the disk");
     beside.end();
   }
   tell_damages(recording, err);
-  return kSuccess;
+  Recording::Losses losses = recording.losses();
+  losses.frames += left_out;
+  if (losses.any()) err << "reorient: " << as_line(options.file.string()) << ": " << text_of(losses) << '\n';
+  return losses.any() ? kWrong : kSuccess;
 }
 
 /// Replays all frames up to that time, because the record does not contain everything that is drawn.
 int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
-  Recording recording(options.file);
+  const auto stop = [] { return Interruption::signal() != 0; };
+  Recording recording(options.file, stop);
   require_recorded(recording, options.at);
   const std::filesystem::path folder = options.out.empty() ? "out" : options.out;
   require_writable_folder(folder, "--out");
@@ -135,17 +162,19 @@ int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostre
   RunPictures pictures(PicturedMoment::last_frame);
   double time = 0.0;
   while (const FrameLoop* const engine = replay.next_stretch()) {
-    replay.run({}, {&pictures}, [] { return Interruption::signal() != 0; });
+    replay.run({}, {&pictures}, stop);
     time = engine->record().world.time;
   }
-  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  if (stop()) return exit_code_of(Interruption::signal());
+  tell_damages(recording, err);
   if (replay.stretches() == 0)
     throw std::runtime_error(options.file.string() +
                              ": expected frames that can be replayed, found none; see 'reorient recording info'");
   const std::vector<std::string> failures = pictures.write(folder);
   for (const std::string& failure : failures) err << "reorient: " << failure << '\n';
   out << fmt::format("pictures of {:.2f} s: {}/\n", time, folder.string());
-  return failures.empty() ? kSuccess : kBadInput;
+  if (!failures.empty()) return kBadInput;
+  return time + kReadingError < options.at ? kWrong : kSuccess;  // the frames up to this time are lost
 }
 
 }  // namespace
@@ -199,7 +228,7 @@ Subcommand add_recording(CLI::App& program) {
             if (pictures->parsed()) return draw_pictures(*options, out, err);
             if (cut->parsed()) {
               return rewrite(*options, out, err, [&](Recording& recording) {
-                require_recorded(recording, options->times);
+                require_recorded(recording, options->times, err);
                 return cut_recording(recording, options->times.from, options->times.to, options->out);
               });
             }

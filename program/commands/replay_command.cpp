@@ -19,6 +19,7 @@
 #include "program/interruption.h"
 #include "program/options.h"
 #include "program/program.h"
+#include "program/recording/damages.h"
 #include "program/recording/recorded_times.h"
 #include "program/script_names.h"
 #include "program/subcommand.h"
@@ -101,8 +102,9 @@ void print_events(const ReplayComparison& comparison, bool all, std::ostream& ou
 
 int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
-  Recording recording(options.file);
-  require_recorded(recording, options.times);
+  const auto stop = [] { return Interruption::signal() != 0; };
+  Recording recording(options.file, stop);
+  require_recorded(recording, options.times, err);
   Replay again(recording, options.times.from, options.times.to);
   ReplayComparison comparison(again.playback());
   DigestObserver digest;
@@ -116,20 +118,19 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
       what_if.add(other_than_recorded(*engine, options));
       observers.push_back(&taken);
     }
-    again.run({&what_if}, observers, [] { return Interruption::signal() != 0; });
+    again.run({&what_if}, observers, stop);
     last_time = engine->record().world.time;
     if (options.asks_what_if()) break;  // another stretch would begin with the recorded state, without the changes
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  for (const std::string& damage : recording.damages())
-    err << "reorient: " << options.file.string() << ": " << damage << '\n';
-  if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
+  tell_damages(recording, err);
+  if (stop()) return exit_code_of(Interruption::signal());
   if (comparison.frames() == 0)
     throw std::runtime_error(
         options.file.string() +
         ": expected frames that can be replayed from there, found none; see 'reorient recording info'");
 
-  const std::uint64_t skipped = again.playback().skipped();
+  const std::uint64_t skipped = again.playback().skipped() + recording.losses().frames;
   // Damage after the requested part does not matter.
   const bool is_reached = recording.damages().empty() || last_time >= options.times.to;
   const bool is_whole = is_reached && skipped == 0 && again.stretches() == 1;

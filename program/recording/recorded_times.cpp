@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "program/recording/recorded_times.h"
 
+#include <cmath>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 
@@ -35,11 +37,13 @@ void add_time_options(CLI::App& parser, RecordedTimes& times) {
       ->check(check_moment);
 }
 
-void require_recorded(const Recording& recording, const RecordedTimes& times) {
+void require_recorded(const Recording& recording, const RecordedTimes& times, std::ostream& err) {
   if (times.from > times.to)
     throw std::runtime_error(fmt::format("--from {} --to {}: expected --to at or after --from", times.from, times.to));
   require_not_over(recording, "--from", times.from);
   require_begun(recording, "--to", times.to);
+  if (std::isfinite(times.to) && times.to > recording.end_time() + kReadingError)
+    err << fmt::format("reorient: --to {}: the recording ends at {:.2f} s\n", times.to, recording.end_time());
 }
 
 void require_recorded(const Recording& recording, double at) {

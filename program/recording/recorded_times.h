@@ -2,6 +2,7 @@
 // Times of a recording from the command line, in s of the robot.
 #pragma once
 
+#include <iosfwd>
 #include <limits>
 
 #include "workbench/recording/recording.h"
@@ -19,8 +20,9 @@ struct RecordedTimes {
 /// `--from` and `--to`.
 void add_time_options(CLI::App& parser, RecordedTimes& times);
 
-// Throw std::runtime_error with one line if the time is outside of the recording.
-void require_recorded(const Recording& recording, const RecordedTimes& times);
+// Throw std::runtime_error with one line if the time is outside of the recording. `--to` may be later than its end,
+// which is reported on `err`.
+void require_recorded(const Recording& recording, const RecordedTimes& times, std::ostream& err);
 void require_recorded(const Recording& recording, double at);
 
 }  // namespace reorient

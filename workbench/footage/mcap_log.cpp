@@ -43,20 +43,18 @@ McapLog::McapLog(std::unique_ptr<mcap::Source> source, std::string name, McapLog
 
 void McapLog::open(McapLogOptions options) {
   mcap::Contents contents = mcap::read_contents(*source_);
-  std::vector<mcap::ChunkPlace> places = std::move(contents.loose);
   if (contents.damage) {
     damage_ = contents.damage->what();
     const auto is_behind = [&](const mcap::ChunkPlace& place) { return place.where >= contents.damage->where; };
     std::erase_if(contents.chunks, is_behind);
-    std::erase_if(places, is_behind);
+    std::erase_if(contents.loose, is_behind);
   }
   mcap::read_topics_in_chunks(*source_, contents);
   topics_ = choose_topics(contents, options.topics, !options.frames.camera);
-  places.insert(places.end(), contents.chunks.begin(), contents.chunks.end());
 
   std::set<std::uint16_t> channels;
   for (const auto& [id, channel] : topics_.channels) channels.insert(id);
-  messages_.emplace(*source_, std::move(places), std::move(channels));
+  messages_.emplace(*source_, contents.places(), std::move(channels));
 
   if (options.topics.pose && !options.topics.pose->empty()) options.frames.prefer_pose_topic = true;
   if (!options.frames.base_from_camera && !topics_.has(messages::Content::transforms)) {

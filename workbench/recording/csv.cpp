@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/record/record_bytes.h"
+#include "geometry/bytes.h"
 #include "workbench/files/csv_text.h"
 #include "workbench/recording/value_text.h"
 #include "workbench/run/timeline.h"
@@ -12,14 +13,31 @@
 namespace reorient {
 namespace {
 
-void write_world(Recording& recording, std::ostream& out) {
+// Beginnings of the first lines of the tables.
+constexpr std::string_view kWorldHead = "frame,clock.", kEventsHead = "time,machine,state,command,verdict,reason";
+
+/// Calls `write` with each frame and its record. Returns the number of frames whose record cannot be read.
+template <typename Write>
+std::uint64_t each_record(Recording& recording, const std::ostream& out, Write write) {
+  std::uint64_t left_out = 0;
+  RecordedFrame frame;
+  while (out && recording.next(frame)) {
+    try {
+      write(frame, read_record(frame.entry.record));
+    } catch (const BadBytes& bad) {
+      recording.add_damage(frame, bad.what());
+      ++left_out;
+    }
+  }
+  return left_out;
+}
+
+std::uint64_t write_world(Recording& recording, std::ostream& out) {
   out << "frame";
   for (const WorldField& field : world_fields()) out << ',' << field.full_name();
   out << ",truth.x,truth.y,truth.rotation\n";
-  RecordedFrame frame;
   std::vector<double> values;
-  while (recording.next(frame)) {
-    const FrameRecord record = read_record(frame.entry.record);
+  return each_record(recording, out, [&](const RecordedFrame& frame, const FrameRecord& record) {
     values.clear();
     append_world(record.world, values);
     out << record.world.frame;
@@ -30,23 +48,22 @@ void write_world(Recording& recording, std::ostream& out) {
     } else {
       out << ",,,\n";
     }
-  }
+  });
 }
 
-void write_events(Recording& recording, std::ostream& out) {
-  out << "time,machine,state,command,verdict,reason\n";
-  RecordedFrame frame;
-  while (recording.next(frame)) {
-    for (const TimelineEvent& event : timeline_events(read_record(frame.entry.record), frame.entry.scene)) {
+std::uint64_t write_events(Recording& recording, std::ostream& out) {
+  out << kEventsHead << '\n';
+  return each_record(recording, out, [&](const RecordedFrame& frame, const FrameRecord& record) {
+    for (const TimelineEvent& event : timeline_events(record, frame.entry.scene)) {
       out << exact_text(event.time) << ',' << csv_cell(event.machine) << ',' << csv_cell(event.state) << ','
           << csv_cell(event.command) << ',' << csv_cell(event.verdict) << ',' << csv_cell(event.reason) << '\n';
     }
-  }
+  });
 }
 
 struct CsvTopic {
   std::string_view name;
-  void (*write)(Recording&, std::ostream&);
+  std::uint64_t (*write)(Recording&, std::ostream&);
 };
 constexpr CsvTopic kCsvTopics[] = {{"world", write_world}, {"events", write_events}};
 
@@ -58,7 +75,9 @@ std::vector<std::string> csv_topics() {
   return names;
 }
 
-void write_csv(Recording& recording, std::string_view topic, std::ostream& out) {
+bool begins_csv(std::string_view text) { return text.starts_with(kWorldHead) || text.starts_with(kEventsHead); }
+
+std::uint64_t write_csv(Recording& recording, std::string_view topic, std::ostream& out) {
   for (const CsvTopic& known : kCsvTopics) {
     if (known.name == topic) return known.write(recording, out);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/recording/playback.h"
 
+#include <string>
 #include <utility>
 
 namespace reorient {
@@ -36,6 +37,25 @@ bool Playback::observe(Observation& observation) {
       return false;
     }
   }
+  try {
+    take_inputs();
+  } catch (const BadBytes& bad) {
+    recording_.add_damage(frame_, bad.what());
+    frame_.state.clear();  // so that the next section does not begin with this frame
+    is_waiting_ = true;
+    return false;
+  }
+  observation = inputs_->inputs().observation;
+  return true;
+}
+
+void Playback::skip(const BadBytes& reason) {
+  recording_.add_damage(frame_, std::string("the state of the engine: ") + reason.what());
+  begins_ = false;
+  ++skipped_;
+}
+
+void Playback::take_inputs() {
   inputs_.emplace(frame_.entry.inputs);
   const Observation& seen = inputs_->inputs().observation;
   const bool has_frame[] = {seen.upper.has_value(), seen.lower.has_value()};
@@ -44,8 +64,6 @@ bool Playback::observe(Observation& observation) {
     check_bytes(has_frame[camera], "a frame and its images do not match");
     inputs_->put_pixels(camera, frame_.images[camera].view());
   }
-  observation = seen;
-  return true;
 }
 
 void Playback::add_to(FrameInputs& inputs) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/record/input_bytes.h"
+#include "geometry/bytes.h"
 #include "robots/operator.h"
 #include "robots/robot.h"
 #include "workbench/recording/recording.h"
@@ -27,6 +28,8 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
   /// The last observed frame.
   const RecordedFrame& frame() const { return frame_; }
   std::uint64_t skipped() const { return skipped_; }  ///< frames, up to `to`
+  /// Skips the first frame of the section, because its state cannot be used.
+  void skip(const BadBytes& reason);
 
   // Robot
   bool observe(Observation& observation) override;
@@ -37,6 +40,8 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
   std::optional<GroundTruth> truth() const override;
 
  private:
+  void take_inputs();
+
   Recording& recording_;
   double to_;
   RecordedFrame frame_;

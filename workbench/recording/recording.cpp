@@ -3,24 +3,22 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
+#include <set>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "geometry/bytes.h"
+#include "workbench/recording/mcap/topics.h"
 #include "workbench/recording/packed_image.h"
 
 namespace reorient {
 namespace {
-
-std::uint16_t channel_of(const mcap::Contents& contents, std::string_view topic, const std::string& file) {
-  if (const mcap::Channel* const channel = contents.channel(topic)) return channel->id;
-  if (contents.damage)
-    throw std::runtime_error(file +
-                             ": the file is damaged and contains no frames of reorient: " + contents.damage->what());
-  throw std::runtime_error(file +
-                           ": expected a recording of 'reorient run --record FILE', found no frames of reorient");
-}
 
 std::vector<std::byte> copy_of(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
 
@@ -35,62 +33,86 @@ std::span<const std::byte> own_bytes(const mcap::Message& message) {
 
 }  // namespace
 
-Recording::Recording(const std::filesystem::path& file) try
-    : Recording(std::make_unique<mcap::FileSource>(file), file.string()) {
-} catch (const mcap::Damage& damage) {
-  throw std::runtime_error(file.string() + ": " + damage.what() + "; name a recording");
-}
+Recording::Recording(const std::filesystem::path& file)
+    : Recording(std::make_unique<mcap::FileSource>(file), file.string()) {}
 
-Recording::Recording(std::unique_ptr<mcap::Source> source, std::string name)
-    : source_(std::move(source)), contents_(mcap::read_contents(*source_)), name_(std::move(name)) {
-  if (contents_.damage) damages_.emplace_back(contents_.damage->what());
+Recording::Recording(const std::filesystem::path& file, std::function<bool()> stop)
+    : Recording(std::make_unique<mcap::StoppableSource>(file, std::move(stop)), file.string()) {}
+
+Recording::Recording(std::unique_ptr<mcap::Source> source, std::string name) try
+    : source_(std::move(source)), contents_(mcap::read_contents(*source_)), name_(name) {
+  if (contents_.damage) add_damage(contents_.damage->what());
+  mcap::read_topics_in_chunks(*source_, contents_);
+  places_ = contents_.places();
+  std::erase_if(places_, [](const mcap::ChunkPlace& place) { return place.size == 0; });  // and without times
+  std::sort(places_.begin(), places_.end(), [](const mcap::ChunkPlace& a, const mcap::ChunkPlace& b) {
+    return std::tie(a.start_time, a.where) < std::tie(b.start_time, b.where);
+  });
   for (const mcap::Metadata& metadata : contents_.metadata) {
     if (metadata.name == "reorient") about_ = metadata.texts;
   }
   read_format();
-  frames_ = channel_of(contents_, kFrameTopic, name_);
-  states_ = channel_of(contents_, kStateTopic, name_);
-  for (std::size_t camera = 0; camera < images_.size(); ++camera)
-    images_[camera] = channel_of(contents_, kImageTopics[camera], name_);
-  find_view_topics();
+  find_uses();
+} catch (const mcap::Damage& damage) {
+  throw std::runtime_error(name + ": " + damage.what() + "; name a recording");
 }
 
-/// All our recordings contain the format. If it is missing, that part of the file is damaged; each frame has its own
-/// magic number.
+/// All our recordings contain the format, but other tools may leave the metadata out. Each frame has its own magic
+/// number.
 void Recording::read_format() {
+  if (about_.empty()) return;
   const auto found = about_.find(std::string(kFormat));
   const std::string format = found == about_.end() ? "" : found->second;
   const auto [end, error] = std::from_chars(format.data(), format.data() + format.size(), format_);
   if (error == std::errc() && end == format.data() + format.size()) return;
   format_ = kRecordingFormat;
-  damages_.emplace_back("at the beginning: the format is missing");
+  add_damage("at the beginning: the format is missing");
 }
 
 double Recording::begin_time() const {
-  return contents_.chunks.empty() ? 0.0 : 1e-9 * static_cast<double>(contents_.chunks.front().start_time);
+  return places_.empty() ? 0.0 : 1e-9 * static_cast<double>(places_.front().start_time);
 }
 
 double Recording::end_time() const {
   std::uint64_t end = 0;
-  for (const mcap::ChunkPlace& chunk : contents_.chunks) end = std::max(end, chunk.end_time);
+  for (const mcap::ChunkPlace& place : places_) end = std::max(end, place.end_time);
   return 1e-9 * static_cast<double>(end);
 }
 
-void Recording::find_view_topics() {
+/// A file may have several channels of a topic. Only the frames are needed by every reader.
+void Recording::find_uses() {
+  bool has_frames = false;
   for (const mcap::Channel& channel : contents_.channels) {
-    if (channel.id == frames_ || channel.id == states_ || std::count(images_.begin(), images_.end(), channel.id) > 0)
-      continue;
-    if (!view_of_.emplace(channel.id, view_topics_.size()).second) continue;
-    ViewTopic& topic = view_topics_.emplace_back();
-    topic.name = channel.topic;
-    topic.encoding = channel.encoding;
-    topic.lasts = channel.metadata.contains(std::string(kLasts));
-    if (const mcap::Schema* const schema = contents_.schema(channel.schema)) {
-      topic.schema = schema->name;
-      topic.schema_encoding = schema->encoding;
-      topic.schema_text = schema->text;
+    Use use;
+    const auto camera = std::find(kImageTopics.begin(), kImageTopics.end(), channel.topic);
+    if (channel.topic == kFrameTopic) {
+      use.kind = Use::Kind::frame;
+      has_frames = true;
+    } else if (channel.topic == kStateTopic) {
+      use.kind = Use::Kind::state;
+    } else if (camera != kImageTopics.end()) {
+      use = {Use::Kind::image, static_cast<std::size_t>(camera - kImageTopics.begin())};
+    } else {
+      use.index = view_topics_.size();
+      ViewTopic& topic = view_topics_.emplace_back();
+      topic.name = channel.topic;
+      topic.encoding = channel.encoding;
+      topic.lasts = channel.metadata.contains(std::string(kLasts));
+      if (const mcap::Schema* const schema = contents_.schema(channel.schema)) {
+        topic.schema = schema->name;
+        topic.schema_encoding = schema->encoding;
+        topic.schema_text = schema->text;
+      }
     }
+    uses_.emplace(channel.id, use);
   }
+  if (has_frames) return;
+  throw std::runtime_error(name_ + (contents_.damage
+                                        ? std::string(": the file is damaged and contains no frames of reorient: ") +
+                                              contents_.damage->what()
+                                        : ": expected a recording of 'reorient run --record FILE', found no frames of "
+                                          "reorient (topic " +
+                                              std::string(kFrameTopic) + ")"));
 }
 
 void Recording::require_this_format() const {
@@ -108,43 +130,45 @@ void Recording::count_messages() {
   }
 }
 
-/// Drops the incomplete frame. The frame before the next one is unknown then.
-void Recording::drop_pending() {
+/// Begins with the messages at or after a time, ns.
+void Recording::start(std::uint64_t from) {
+  std::vector<mcap::ChunkPlace> places;
+  std::copy_if(places_.begin(), places_.end(), std::back_inserter(places),
+               [from](const mcap::ChunkPlace& place) { return place.end_time >= from; });
+  std::set<std::uint16_t> channels;
+  for (const auto& [channel, use] : uses_) {
+    const bool is_read = use.kind == Use::Kind::view    ? reads_views_
+                         : use.kind == Use::Kind::image ? reads_images_
+                                                        : true;
+    if (is_read) channels.insert(channel);
+  }
+  messages_.emplace(*source_, std::move(places), std::move(channels));
+  from_ = from;
+  next_.reset();
   pending_ = {};
-  has_pending_ = {};
+  pending_time_ = 0;
+  has_frame_ = false;
+  has_image_ = {};
+  view_bytes_ = 0;
   last_frame_.reset();
-}
-
-bool Recording::go_to_chunk(std::size_t chunk) {
-  chunk_ = chunk;
-  messages_.reset();
-  drop_pending();
-  is_cut_ = true;
-  return chunk_ < contents_.chunks.size();
+  frames_ = 0;
+  losses_ = {};
+  is_over_ = false;
+  is_read_from_begin_ = places_.empty() || from <= places_.front().start_time;
 }
 
 bool Recording::next_message(mcap::Message& message) {
+  if (!messages_) start(0);
   while (true) {
     try {
-      if (messages_ && messages_->next(message)) {
-        Tally& tally = tallies_[message.channel];
-        ++tally.messages;
-        tally.bytes += message.data.size();
-        return true;
-      }
-      if (chunk_ >= contents_.chunks.size()) return false;
-      messages_.reset();
-      const mcap::ChunkPlace& chunk = contents_.chunks[chunk_++];
-      if (chunk.after_gap) {
-        drop_pending();
-        is_cut_ = true;
-      }
-      messages_.emplace(*source_, chunk);
-    } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost, with its incomplete frame
-      damages_.emplace_back(damage.what());
-      messages_.reset();
-      drop_pending();
-      is_cut_ = true;
+      if (!messages_->next(message)) return false;
+      if (message.time < from_) continue;
+      Tally& tally = tallies_[message.channel];
+      ++tally.messages;
+      tally.bytes += message.data.size();
+      return true;
+    } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost
+      add_damage(damage.what());
     }
   }
 }
@@ -152,79 +176,153 @@ bool Recording::next_message(mcap::Message& message) {
 bool Recording::next(RecordedFrame& frame) {
   require_this_format();
   mcap::Message message;
-  while (next_message(message)) {
-    if (message.channel == states_) {
-      pending_.state = copy_of(own_bytes(message));
-      continue;
+  while (true) {
+    if (next_) {
+      message = *std::exchange(next_, std::nullopt);
+    } else if (!next_message(message)) {
+      is_over_ = true;
+      if (!has_frame_) return false;
+      give(frame);
+      return true;
     }
-    const auto camera = std::find(images_.begin(), images_.end(), message.channel);
-    if (camera != images_.end()) {
-      const auto index = static_cast<std::size_t>(camera - images_.begin());
-      unpack_image(own_bytes(message), pending_.images[index]);
-      has_pending_[index] = true;
-      continue;
+    const Use& use = uses_.at(message.channel);
+    // Two frames may have the same time: what a frame has already, or does not need, belongs to the next one.
+    const bool is_of_next =
+        use.kind == Use::Kind::image
+            ? has_image_[use.index] || !pending_.entry.image_is_exact[use.index]
+            : use.kind == Use::Kind::frame || (use.kind == Use::Kind::state && !pending_.state.empty());
+    // Frames without a valid time are recorded at 0 ns and are in our own order: a frame comes after what belongs to
+    // it.
+    const bool has_time = message.time != 0 || std::abs(pending_.entry.time) < 1e-9;
+    if (has_frame_ && (message.time != pending_time_ || !has_time || is_of_next)) {
+      next_ = message;
+      give(frame);
+      return true;
     }
-    if (message.channel != frames_) {
-      const auto view = view_of_.find(message.channel);
-      if (reads_views_ && view != view_of_.end())
-        pending_.views.push_back({view->second, message.time, copy_of(message.data)});
-      continue;
+    if (message.time != pending_time_) {  // what was collected has no frame
+      pending_time_ = message.time;
+      pending_.state.clear();
+      has_image_ = {};
     }
-    read_frame_entry(own_bytes(message), pending_.entry);
-    const bool is_whole = pending_.entry.image_is_exact == has_pending_;
-    if (!is_whole && std::exchange(is_cut_, false)) {  // its images were in the lost chunk
-      drop_pending();
-      continue;
+    try {
+      take(message, use);
+    } catch (const BadBytes& bad) {
+      add_damage(fmt::format("at byte {}: {} at {:.2f} s: {}", messages_->where(),
+                             contents_.channel(message.channel)->topic, 1e-9 * static_cast<double>(message.time),
+                             bad.what()));
     }
-    check_bytes(is_whole, "a frame and its images do not match");
-    is_cut_ = false;
-    pending_.follows = last_frame_ && *last_frame_ + 1 == pending_.entry.frame;
-    last_frame_ = pending_.entry.frame;
-    std::swap(frame, pending_);
-    pending_.state.clear();
-    pending_.views.clear();
-    has_pending_ = {};
-    return true;
   }
-  return false;
+}
+
+void Recording::take(const mcap::Message& message, const Use& use) {
+  switch (use.kind) {
+    case Use::Kind::frame:
+      read_frame_entry(own_bytes(message), pending_.entry);
+      has_frame_ = true;
+      return;
+    case Use::Kind::state:
+      pending_.state = copy_of(own_bytes(message));
+      return;
+    case Use::Kind::image:
+      unpack_image(own_bytes(message), pending_.images[use.index]);
+      has_image_[use.index] = true;
+      return;
+    case Use::Kind::view:
+      if (view_bytes_ > kMostViewBytes) return;
+      view_bytes_ += message.data.size() + sizeof(ViewMessage);
+      if (view_bytes_ > kMostViewBytes) throw BadBytes("a frame has too many messages for viewers");
+      pending_.views.push_back({use.index, message.time, copy_of(message.data)});
+      return;
+  }
+}
+
+/// Completes the collected frame and begins the next one.
+void Recording::give(RecordedFrame& frame) {
+  FrameEntry& entry = pending_.entry;
+  bool lacks_image = false;
+  for (std::size_t camera = 0; camera < has_image_.size(); ++camera) {
+    if (!entry.image_is_exact[camera] || has_image_[camera]) continue;
+    entry.image_is_exact[camera] = false;
+    lacks_image = true;
+  }
+  if (lacks_image && reads_images_ && losses_.images++ == 0) add_damage(pending_, "an image of this frame is missing");
+  pending_.follows = last_frame_ && *last_frame_ + 1 == entry.frame;
+  if (last_frame_ && entry.frame > *last_frame_ + 1) losses_.frames += entry.frame - *last_frame_ - 1;
+  last_frame_ = entry.frame;
+  ++frames_;
+  std::swap(frame, pending_);
+  pending_.state.clear();
+  pending_.views.clear();
+  view_bytes_ = 0;
+  has_frame_ = false;
+  has_image_ = {};
 }
 
 /// Searches backward from the first chunk after the time, because states are rare.
 bool Recording::go_to(double time) {
   require_this_format();
-  const auto& chunks = contents_.chunks;
   const auto nanoseconds = static_cast<std::uint64_t>(std::clamp(1e9 * time, 0.0, 9e18));
-  std::size_t begin = 0;
-  while (begin < chunks.size() && chunks[begin].start_time <= nanoseconds) ++begin;
-  std::optional<std::size_t> found;  // the chunk
-  std::uint64_t found_time = 0;
-  const auto look = [&](std::size_t chunk) {
-    go_to_chunk(chunk);
+  std::optional<std::uint64_t> found;  // ns
+  const auto is_before = [&] { return found && *found <= nanoseconds; };
+  const auto look = [&](const mcap::ChunkPlace& place) {
     try {
-      mcap::ChunkMessages messages(*source_, chunks[chunk]);
+      mcap::ChunkMessages messages(*source_, place);
       for (mcap::Message message; messages.next(message);) {
-        if (message.channel != states_ || (found && message.time > nanoseconds)) continue;
-        found = chunk;
-        found_time = message.time;
+        const auto use = uses_.find(message.channel);
+        if (use == uses_.end() || use->second.kind != Use::Kind::state) continue;
+        if (message.time <= nanoseconds ? !is_before() || message.time > *found : !found || message.time < *found)
+          found = message.time;
       }
     } catch (const mcap::Damage&) {  // reported when it is read
     }
-    return found.has_value();
   };
-  for (std::size_t i = begin; i-- > 0;) {
-    if (look(i) && found_time <= nanoseconds) break;
+  const auto begin = std::find_if(places_.begin(), places_.end(),
+                                  [&](const mcap::ChunkPlace& place) { return place.start_time > nanoseconds; });
+  for (auto place = std::make_reverse_iterator(begin); place != places_.rend(); ++place) {
+    if (!is_before() || place->end_time > *found) look(*place);
   }
-  for (std::size_t i = begin; !found && i < chunks.size(); ++i) look(i);
+  for (auto place = begin; !is_before() && place != places_.end(); ++place) {
+    if (!found || place->start_time < *found) look(*place);
+  }
   if (!found) return false;
-  go_to_chunk(*found);
-  // Skip what the chunk contains before that state, because it belongs to earlier frames.
-  for (mcap::Message message; next_message(message);) {
-    if (message.channel == states_ && message.time == found_time) {
-      pending_.state = copy_of(own_bytes(message));
-      return true;
-    }
+  start(*found);
+  return true;
+}
+
+/// The number of frames that the summary contains.
+std::optional<std::uint64_t> Recording::stated_frames() const {
+  if (!contents_.statistics || contents_.statistics->messages_of.empty()) return std::nullopt;
+  std::uint64_t stated = 0;
+  for (const auto& [channel, count] : contents_.statistics->messages_of) {
+    const auto use = uses_.find(channel);
+    if (use != uses_.end() && use->second.kind == Use::Kind::frame) stated += count;
   }
-  return false;
+  return stated;
+}
+
+Recording::Losses Recording::losses() const {
+  Losses losses = losses_;
+  if (!is_over_ || !is_read_from_begin_) return losses;
+  if (const std::optional<std::uint64_t> stated = stated_frames()) {
+    if (*stated > frames_) losses.frames = std::max(losses.frames, *stated - frames_);
+  } else {
+    // If the file ends between two records, no data is known to be lost.
+    const bool ends_between = contents_.damage && contents_.damage->where == source_->size();
+    losses.unknown = damages_.size() > (ends_between ? 1 : 0);
+  }
+  return losses;
+}
+
+void Recording::add_damage(const std::string& damage) {
+  if (damages_.size() < kMostDamages) {
+    damages_.push_back(damage);
+  } else if (damages_.size() == kMostDamages) {
+    damages_.emplace_back("and at more places");
+  }
+}
+
+void Recording::add_damage(const RecordedFrame& frame, const std::string& what) {
+  add_damage(fmt::format("at {:.2f} s: frame {}: {}", frame.entry.time, frame.entry.frame, what));
 }
 
 }  // namespace reorient

@@ -26,10 +26,16 @@ Replay::Replay(Recording& recording, double from, double to) : playback_(nullptr
 }
 
 FrameLoop* Replay::next_stretch() {
-  if (is_over_ || !playback_->next_stretch()) return nullptr;
-  ++stretches_;
-  engine_ = std::make_unique<FrameLoop>(playback_->state());
-  return engine_.get();
+  while (!is_over_ && playback_->next_stretch()) {
+    try {
+      engine_ = std::make_unique<FrameLoop>(playback_->state());
+      ++stretches_;
+      return engine_.get();
+    } catch (const BadBytes& bad) {
+      playback_->skip(bad);
+    }
+  }
+  return nullptr;
 }
 
 RunParts Replay::parts(const std::vector<InputSource*>& sources, std::vector<Observer*> observers) {

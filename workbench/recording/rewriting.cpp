@@ -25,12 +25,11 @@ class Copy {
   void add(const RecordedFrame& frame) {
     file_->add(frame.entry, frame.state, {frame.images[0].view(), frame.images[1].view()}, frame.views);
     if (done_.frames++ == 0) done_.first_time = frame.entry.time;
-    if (done_.frames > 1 && frame.entry.frame > last_ + 1) done_.lost += frame.entry.frame - last_ - 1;
-    last_ = frame.entry.frame;
     done_.last_time = frame.entry.time;
   }
 
-  Rewritten finish() {
+  Rewritten finish(const Recording::Losses& losses) {
+    done_.losses = losses;
     file_->finish();
     file_.reset();
     beside_.end();
@@ -41,7 +40,6 @@ class Copy {
   FileInTheMaking beside_;
   std::optional<RecordingFile> file_;
   Rewritten done_;
-  std::uint64_t last_ = 0;  // number of the last frame
 };
 
 /// Stops at the first frame at or after a time, and stores the state of the engine before it and the last lasting
@@ -91,15 +89,7 @@ Rewritten recover_recording(Recording& recording, const std::filesystem::path& f
   Copy copy(recording, file);
   RecordedFrame frame;
   while (recording.next(frame)) copy.add(frame);
-  Rewritten done = copy.finish();
-  const mcap::Contents& contents = recording.contents();
-  const mcap::Channel* const frames = contents.channel(kFrameTopic);
-  if (contents.statistics && frames != nullptr) {
-    const auto stated = contents.statistics->messages_of.find(frames->id);
-    if (stated != contents.statistics->messages_of.end() && stated->second > done.frames)
-      done.lost = std::max(done.lost, stated->second - done.frames);
-  }
-  return done;
+  return copy.finish(recording.losses());
 }
 
 Rewritten cut_recording(Recording& recording, double from, double to, const std::filesystem::path& file, Views views) {
@@ -110,9 +100,18 @@ Rewritten cut_recording(Recording& recording, double from, double to, const std:
         "no frame between these times can be replayed ('reorient recording info' lists those that can)");
   Copy copy(recording, file);
   copy.add(*first);
+  const Recording::Losses before = recording.losses();
+  Recording::Losses losses = before;
   RecordedFrame frame = std::move(*first);
-  while (recording.next(frame) && frame.entry.time <= to) copy.add(frame);
-  return copy.finish();
+  bool is_over = false;
+  while (!(is_over = !recording.next(frame)) && frame.entry.time <= to) {
+    copy.add(frame);
+    losses = recording.losses();
+  }
+  if (is_over) losses = recording.losses();
+  losses.frames -= before.frames;
+  losses.images -= before.images;
+  return copy.finish(losses);
 }
 
 }  // namespace reorient

@@ -12,7 +12,7 @@ namespace reorient {
 struct Rewritten {
   std::uint64_t frames = 0;
   double first_time = 0.0, last_time = 0.0;  ///< times of the first and the last frame, s of the robot
-  std::uint64_t lost = 0;  ///< frames that are missing between them, or at the end according to the summary
+  Recording::Losses losses;                  ///< of the copied part
 };
 
 /// Whether messages for viewers are copied, too.

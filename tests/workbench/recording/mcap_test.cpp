@@ -206,7 +206,74 @@ TEST_F(McapFile, WithAChunkLargerThanStatedIsRejected) {
   ASSERT_TRUE(contents.damage);
   EXPECT_NE(std::string(contents.damage->what()).find("expected a chunk of at most "), std::string::npos)
       << contents.damage->what();
-  EXPECT_TRUE(contents.chunks.empty());
+  ASSERT_EQ(contents.chunks.size(), 1u) << "the next record is read";
+  EXPECT_THROW(ChunkMessages(source, contents.chunks[0]), Damage) << "it has 3 bytes, not 5";
+}
+
+/// A hole of a sparse file, or blocks that a flash memory lost. Records of no bytes would take hours.
+TEST_F(McapFile, WithManyZerosIsNotReadAsRecords) {
+  struct Sparse : Source {
+    explicit Sparse(Bytes begin) : bytes(std::move(begin)) {}
+    std::uint64_t size() const override { return std::uint64_t{1} << 40; }
+    void read(std::uint64_t from, std::span<std::byte> into) const override {
+      read_bytes += into.size();
+      for (std::size_t i = 0; i < into.size(); ++i) into[i] = from + i < bytes.size() ? bytes[from + i] : std::byte{};
+    }
+    Bytes bytes;
+    mutable std::uint64_t read_bytes = 0;
+  };
+  const std::size_t end_of_chunks = chunk_ends_.back();
+  const Sparse hole(Bytes(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(end_of_chunks)));
+  const Contents contents = read_contents(hole);
+  ASSERT_TRUE(contents.damage);
+  EXPECT_EQ(std::string(contents.damage->what()),
+            "at byte " + std::to_string(end_of_chunks) + ": expected a record, found a byte of value 0");
+  EXPECT_EQ(contents.chunks.size(), chunk_ends_.size());
+  EXPECT_LT(hole.read_bytes, 100'000u);
+
+  // A record that extends over the hole is not read, either.
+  for (const Opcode opcode : {Opcode::header, Opcode::schema, Opcode::channel, Opcode::metadata, Opcode::chunk,
+                              Opcode::attachment, Opcode::message}) {
+    Bytes begin(file_.begin(), file_.begin() + 8);
+    ByteWriter out(begin);
+    out(opcode, std::uint64_t{1} << 39);
+    if (opcode == Opcode::chunk)
+      out(std::uint64_t{0}, std::uint64_t{0}, std::uint64_t{5}, std::uint32_t{0}, std::string("zstd"),
+          std::uint64_t{1} << 38);
+    const Sparse large(begin);
+    const Contents found = read_contents(large);
+    EXPECT_TRUE(found.damage) << static_cast<int>(opcode);
+    EXPECT_TRUE(found.chunks.empty() && found.loose.empty()) << static_cast<int>(opcode);
+    EXPECT_LT(large.read_bytes, 100'000u) << static_cast<int>(opcode);
+  }
+}
+
+/// 30 000 entries that all name the same large record, whose list is longer than the record.
+TEST_F(McapFile, WhoseSummaryListsMetadataManyTimesIsReadInLinearTime) {
+  Bytes bytes(file_.begin(), file_.begin() + 8);
+  ByteWriter out(bytes);
+  out(std::uint8_t{0});  // a damage, after which only the summary is known
+  const std::uint64_t where = bytes.size();
+  constexpr std::uint32_t kText = 1u << 20;
+  constexpr std::uint64_t kLength = 5 + 4 + 4 + 4 + kText;
+  out(Opcode::metadata, kLength, std::string("x"), std::uint32_t{2 * kText}, std::string(), std::string(kText, 'y'));
+  const std::uint64_t summary = bytes.size();
+  for (int i = 0; i < 30'000; ++i)
+    out(Opcode::metadata_index, std::uint64_t{8 + 8 + 4 + 1}, where, std::uint64_t{kText}, std::string("x"));
+  out(Opcode::footer, std::uint64_t{20}, summary, std::uint64_t{0}, std::uint32_t{0});
+  out.raw(kMagic.data(), kMagic.size());
+  struct Counting : MemorySource {
+    using MemorySource::MemorySource;
+    void read(std::uint64_t from, std::span<std::byte> into) const override {
+      read_bytes += into.size();
+      MemorySource::read(from, into);
+    }
+    mutable std::uint64_t read_bytes = 0;
+  };
+  const Counting source(bytes);
+  const Contents contents = read_contents(source);
+  EXPECT_TRUE(contents.is_complete);
+  EXPECT_LT(source.read_bytes, 10 * bytes.size());
 }
 
 TEST(McapWriter, PassesExceptionsOfItsSinkOn) {

@@ -45,6 +45,8 @@ class Walk {
     throw Damage(where, "the end of the file is missing");
   }
 
+  std::uint64_t size() const { return source_.size(); }
+
   RecordHead head_at(std::uint64_t where) const {
     const std::uint64_t left = source_.size() - where;
     if (left < kRecordHead) throw Damage(where, "the file ends within the head of a record");
@@ -53,6 +55,8 @@ class Walk {
     RecordHead head;
     head.where = where;
     ByteReader{bytes}(head.opcode, head.length);
+    // Zeros are lost blocks or the hole of a sparse file, and would be many billions of empty records.
+    if (head.opcode == 0) throw Damage(where, "expected a record, found a byte of value 0");
     if (head.length > left - kRecordHead) {
       throw Damage(where, "expected a record of at most " + std::to_string(left - kRecordHead) + " bytes, found " +
                               std::to_string(head.length));
@@ -60,8 +64,17 @@ class Walk {
     return head;
   }
 
+  /// The whole content of the record. Throws BadBytes for a record that is too large.
+  std::vector<std::byte> content_of(const RecordHead& head) const {
+    if (head.length > kLargestRecord) {
+      throw BadBytes("expected a record of at most " + std::to_string(kLargestRecord) + " bytes, found " +
+                     std::to_string(head.length));
+    }
+    return beginning_of(head, head.length);
+  }
+
   /// The first bytes of the record's content, at most `most`.
-  std::vector<std::byte> content_of(const RecordHead& head, std::uint64_t most = kLargestChunk) const {
+  std::vector<std::byte> beginning_of(const RecordHead& head, std::uint64_t most) const {
     std::vector<std::byte> content(static_cast<std::size_t>(std::min(head.length, most)));
     source_.read(head.content(), content);
     return content;
@@ -101,9 +114,9 @@ ChunkPlace read_chunk_head(const RecordHead& head, std::span<const std::byte> be
   const std::uint64_t before_data = begin.size() - in.left();
   place.data = head.content() + before_data;
   check_bytes(place.data_size <= head.length - before_data, "a chunk's messages are longer than its record");
-  if (place.size > kLargestChunk) {
+  if (const std::uint64_t size = std::max(place.size, place.data_size); size > kLargestChunk) {
     throw BadBytes("expected a chunk of at most " + std::to_string(kLargestChunk) + " bytes, found " +
-                   std::to_string(place.size));
+                   std::to_string(size));
   }
   return place;
 }
@@ -127,7 +140,7 @@ AttachmentPlace read_attachment_head(const RecordHead& head, std::span<const std
 void add_loose_message(const Walk& walk, const RecordHead& head, std::vector<ChunkPlace>& loose) {
   constexpr std::uint64_t kBeforeData = 2 + 4 + 8 + 8, kLargestGroup = 4u << 20;
   if (head.length < kBeforeData || head.end() - head.where > kLargestChunk) return;
-  const std::vector<std::byte> content = walk.content_of(head, kBeforeData);
+  const std::vector<std::byte> content = walk.beginning_of(head, kBeforeData);
   std::uint16_t channel = 0;
   std::uint32_t sequence = 0;
   std::uint64_t time = 0;
@@ -151,6 +164,7 @@ constexpr std::uint64_t kMostBeforeData = 4096;  // bytes of the head of a chunk
 struct Known {
   std::map<std::uint16_t, std::uint64_t> schemas, channels;  // by number
   std::map<std::uint64_t, std::size_t> metadata;             // by position, the index in the list
+  std::uint64_t hidden = 0;                                  // bytes of metadata that only the summary lists
 };
 
 template <typename Record>
@@ -186,10 +200,10 @@ bool read_record(const Walk& walk, const RecordHead& head, Known& known, Content
       add_loose_message(walk, head, contents.loose);
       return true;
     case Opcode::chunk:
-      contents.chunks.push_back(read_chunk_head(head, walk.content_of(head, kMostBeforeData)));
+      contents.chunks.push_back(read_chunk_head(head, walk.beginning_of(head, kMostBeforeData)));
       return true;
     case Opcode::attachment:
-      contents.attachments.push_back(read_attachment_head(head, walk.content_of(head, kMostBeforeData)));
+      contents.attachments.push_back(read_attachment_head(head, walk.beginning_of(head, kMostBeforeData)));
       return true;
     case Opcode::data_end:
       return false;
@@ -214,6 +228,9 @@ void read_hidden(const Walk& walk, std::uint64_t where, Opcode opcode, Known& kn
   try {
     walk.each_from(where, [&](const RecordHead& head) {
       if (static_cast<Opcode>(head.opcode) != opcode) throw Damage(where, "a record that the summary lists is missing");
+      // Together they fit into the file. A summary that lists the same bytes many times would take quadratic time.
+      if (opcode == Opcode::metadata && (known.hidden += head.length) > walk.size())
+        throw Damage(where, "the summary lists more metadata than the file contains");
       read_record(walk, head, known, contents);
       return false;
     });
@@ -324,22 +341,8 @@ std::uint64_t summary_of(const Walk& walk, const Source& source) {
   return where < footer ? where : 0;
 }
 
-/// Whether there are only valid records between two positions, and no chunk among them, which would be a lost one.
-bool is_whole_between(const Walk& walk, std::uint64_t from, std::uint64_t to) {
-  try {
-    while (from < to) {
-      const RecordHead head = walk.head_at(from);
-      if (static_cast<Opcode>(head.opcode) == Opcode::chunk) return false;
-      from = head.end();
-    }
-    return from == to;
-  } catch (const Damage&) {
-    return false;
-  }
-}
-
 /// Sorts the chunks by position and removes overlapping ones, because a byte belongs to only one chunk.
-void sort_chunks(const Walk& walk, std::vector<ChunkPlace>& chunks) {
+void sort_chunks(std::vector<ChunkPlace>& chunks) {
   std::sort(chunks.begin(), chunks.end(), [](const ChunkPlace& a, const ChunkPlace& b) { return a.where < b.where; });
   std::uint64_t end = 0;
   std::erase_if(chunks, [&](const ChunkPlace& chunk) {
@@ -347,14 +350,15 @@ void sort_chunks(const Walk& walk, std::vector<ChunkPlace>& chunks) {
     end = chunk.data + chunk.data_size;
     return false;
   });
-  std::uint64_t from = kMagic.size();
-  for (ChunkPlace& chunk : chunks) {
-    chunk.after_gap = !is_whole_between(walk, from, chunk.where);
-    from = chunk.end;
-  }
 }
 
 }  // namespace
+
+std::vector<ChunkPlace> Contents::places() const {
+  std::vector<ChunkPlace> all = chunks;
+  all.insert(all.end(), loose.begin(), loose.end());
+  return all;
+}
 
 const Schema* Contents::schema(std::uint16_t id) const {
   const auto it = std::find_if(schemas.begin(), schemas.end(), [&](const Schema& one) { return one.id == id; });
@@ -387,8 +391,14 @@ Contents read_contents(const Source& source) {
   const Walk walk(source);
   std::uint64_t summary = 0;
   try {
-    summary =
-        walk.each_from(kMagic.size(), [&](const RecordHead& head) { return read_record(walk, head, known, contents); });
+    summary = walk.each_from(kMagic.size(), [&](const RecordHead& head) {
+      try {
+        return read_record(walk, head, known, contents);
+      } catch (const BadBytes& bad) {  // its length is sound, so the next record can be read
+        report(Damage(head.where, bad.what()), contents);
+        return true;
+      }
+    });
   } catch (const Damage& damage) {
     report(damage, contents);
   }
@@ -398,7 +408,7 @@ Contents read_contents(const Source& source) {
   } catch (const Damage& damage) {
     report(damage, contents);
   }
-  sort_chunks(walk, contents.chunks);
+  sort_chunks(contents.chunks);
   return contents;
 }
 

@@ -15,8 +15,10 @@
 
 namespace reorient::mcap {
 
-/// Largest uncompressed size of a chunk; larger ones are rejected.
+/// Largest size of a chunk in bytes, compressed and uncompressed; larger ones are rejected.
 inline constexpr std::uint64_t kLargestChunk = 256u << 20;
+/// Largest record of another type that is read as a whole, in bytes: a schema, a channel, metadata.
+inline constexpr std::uint64_t kLargestRecord = 16u << 20;
 
 /// The position of a chunk, and the contents of its head.
 struct ChunkPlace {
@@ -27,7 +29,6 @@ struct ChunkPlace {
   std::string compression;
   std::uint64_t data = 0, data_size = 0;  ///< position and number of its compressed bytes
   std::uint64_t end = 0;                  ///< position of the end of its record
-  bool after_gap = false;                 ///< the bytes before it are damaged and may have been a chunk
 };
 
 struct AttachmentPlace {
@@ -52,9 +53,11 @@ struct Contents {
   std::vector<AttachmentPlace> attachments;
   std::vector<Metadata> metadata;
   std::optional<Statistics> statistics;  ///< from the summary
-  std::optional<Damage> damage;          ///< the first one; after it, only what the summary lists is known
+  std::optional<Damage> damage;          ///< the first one; more may be unreadable after it
   bool is_complete = false;              ///< the end of the file is present
 
+  /// All chunks and loose messages.
+  std::vector<ChunkPlace> places() const;
   const Schema* schema(std::uint16_t id) const;
   const Channel* channel(std::uint16_t id) const;
   const Channel* channel(std::string_view topic) const;

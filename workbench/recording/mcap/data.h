@@ -36,6 +36,11 @@ class ChunkMessages {
   /// The same for records of all types.
   bool next(ChunkRecord& record);
 
+  /// Position of the next record in the uncompressed chunk, bytes.
+  std::size_t at() const { return at_; }
+  /// Continues at a position that at() returned.
+  void go_to(std::size_t at) { at_ = at; }
+
  private:
   std::uint64_t where_;
   std::vector<std::byte> records_;

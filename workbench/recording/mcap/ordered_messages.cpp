@@ -32,11 +32,18 @@ void OrderedMessages::open_next() {
                                   std::to_string((memory_ + place.size) >> 20) + " MB");
   }
   auto chunk = std::make_unique<OpenChunk>(source_, place);
-  for (Message message; chunk->records.next(message);)
-    if (channels_.contains(message.channel)) chunk->messages.push_back(message);
+  try {
+    std::size_t at = 0;
+    for (Message message; chunk->records.next(message); at = chunk->records.at())
+      if (channels_.contains(message.channel))
+        chunk->messages.push_back({message.time, static_cast<std::uint32_t>(at)});
+  } catch (const Damage& damage) {
+    if (chunk->messages.empty()) throw;
+    chunk->damage = damage;
+  }
   if (chunk->messages.empty()) return;
   std::stable_sort(chunk->messages.begin(), chunk->messages.end(),
-                   [](const Message& a, const Message& b) { return a.time < b.time; });
+                   [](const Indexed& a, const Indexed& b) { return a.time < b.time; });
   chunk->size = place.size;
   memory_ += place.size;
   open_.push_back(std::move(chunk));
@@ -49,15 +56,17 @@ bool OrderedMessages::next(Message& message) {
     std::push_heap(open_.begin(), open_.end(), Later());
   } else if (current_) {
     memory_ -= current_->size;
+    const std::optional<Damage> damage = current_->damage;
     current_.reset();
+    if (damage) throw *damage;
   }
   while (must_open_next()) open_next();
   if (open_.empty()) return false;
   std::pop_heap(open_.begin(), open_.end(), Later());
   current_ = std::move(open_.back());
   open_.pop_back();
-  message = current_->messages[current_->at];
-  return true;
+  current_->records.go_to(current_->messages[current_->at].at);
+  return current_->records.next(message);
 }
 
 }  // namespace reorient::mcap

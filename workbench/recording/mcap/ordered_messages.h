@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <set>
 #include <vector>
@@ -24,18 +25,27 @@ class OrderedMessages {
                   std::uint64_t most_memory = kMostMemory);
 
   /// The next message, valid until the next call; false after the last one. Messages with the same time come in the
-  /// order of the file. Throws Damage, also for chunks that overlap in time and need more than `most_memory` together.
+  /// order of the file. Throws Damage, also for chunks that overlap in time and need more than `most_memory` together;
+  /// the next call continues with what is left.
   bool next(Message& message);
+  /// Position of the chunk, or of the group of messages, that contains the last message.
+  std::uint64_t where() const { return current_->where; }
 
  private:
+  /// A message of a chunk, small because a chunk may contain millions.
+  struct Indexed {
+    std::uint64_t time;
+    std::uint32_t at;  // position in the chunk, which has at most kLargestChunk bytes
+  };
   struct OpenChunk {
     OpenChunk(const Source& source, const ChunkPlace& place) : records(source, place), where(place.where) {}
 
     ChunkMessages records;
     std::uint64_t where;
     std::uint64_t size = 0;         // bytes
-    std::vector<Message> messages;  // by time
+    std::vector<Indexed> messages;  // by time
     std::size_t at = 0;
+    std::optional<Damage> damage;  // after the messages
     std::uint64_t time() const { return messages[at].time; }
   };
   struct Later {

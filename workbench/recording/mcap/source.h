@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace reorient::mcap {
 
@@ -42,6 +44,27 @@ class FileSource : public Source {
   std::filesystem::path file_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
+};
+
+/// The exception of a read that was stopped.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped") {}
+};
+
+/// A file whose reads throw Stopped once `stop` returns true, so that no reader of a long file needs to ask.
+class StoppableSource : public FileSource {
+ public:
+  /// Throws std::runtime_error with one line.
+  StoppableSource(const std::filesystem::path& file, std::function<bool()> stop)
+      : FileSource(file), stop_(std::move(stop)) {}
+
+  void read(std::uint64_t from, std::span<std::byte> bytes) const override {
+    if (stop_ && stop_()) throw Stopped();
+    FileSource::read(from, bytes);
+  }
+
+ private:
+  std::function<bool()> stop_;
 };
 
 class MemorySource : public Source {

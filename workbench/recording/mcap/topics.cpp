@@ -34,10 +34,8 @@ void read_topics_in_chunks(const Source& source, Contents& contents) {
           if (contents.channel(channel.id) == nullptr) contents.channels.push_back(std::move(channel));
         }
       }
-    } catch (const BadBytes&) {
-      return;
+    } catch (const BadBytes&) {  // both are reported when the chunk is read
     } catch (const Damage&) {
-      return;
     }
   }
 }

@@ -8,7 +8,7 @@
 namespace reorient::mcap {
 
 /// Adds the schemas and channels in chunks, for files whose summary is missing or does not repeat them. Reads the whole
-/// file once, up to the first damaged chunk.
+/// file once and leaves out damaged chunks.
 void read_topics_in_chunks(const Source& source, Contents& contents);
 
 }  // namespace reorient::mcap
