@@ -12,6 +12,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "engine/record/record_bytes.h"
 #include "program/help.h"
 #include "program/options.h"
@@ -82,7 +83,7 @@ int record_test(const RecordTestOptions& options, std::ostream& out, std::ostrea
                                ": expected a new file, found an existing one; choose another name: --name NAME");
   }
   Recording recording(options.file);
-  require_recorded(recording, options.times);
+  require_recorded(recording, options.times, err);
   std::error_code error;
   std::filesystem::create_directories(part.parent_path(), error);
   if (error)
@@ -100,7 +101,8 @@ test("{} continues as recorded", function()
 {}  -- expect.as_recorded()  -- all commands and motions stay as recorded
 end)
 )",
-            options.file.filename().string(), done.first_time, done.last_time, name, name, expectations(part)));
+            as_line(options.file.filename().string()), done.first_time, done.last_time, name, name,
+            expectations(part)));
   };
   try {
     write_test();
@@ -111,7 +113,9 @@ end)
   out << fmt::format("{}: {}, {:.1f} MB\n{}\nNext: reorient test {}{}\n", part.string(), counted(done.frames, "frame"),
                      1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string(),
                      options.scripts.empty() ? "" : " --scripts " + options.scripts.string());
-  return kSuccess;
+  if (!done.losses.any()) return kSuccess;
+  err << "reorient: " << as_line(options.file.string()) << ": " << text_of(done.losses) << '\n';
+  return kWrong;
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   TestRun run;
   run.scripts_root = scripts_root(options.scripts);
   run.paths = options.paths;
-  run.play_recording = recordings_below(run.scripts_root / "tests");
+  run.play_recording = recordings_below(run.scripts_root);
   run.timeout = options.timeout;
   run.stop = [] { return Interruption::signal() != 0; };
   NamedFiles files;

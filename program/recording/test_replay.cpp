@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "program/recording/test_replay.h"
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -18,11 +21,12 @@ namespace {
 
 class Played : public PlayedRecording {
  public:
-  Played(const std::filesystem::path& file, const ScriptTexts& scripts)
-      : recording_(file), replay_(recording_), comparison_(replay_.playback()), engine_(replay_.next_stretch()) {
+  Played(const std::filesystem::path& file, const ScriptTexts& scripts, const std::function<bool()>& stop)
+      : recording_(file, stop), replay_(recording_), comparison_(replay_.playback()), engine_(replay_.next_stretch()) {
     if (engine_ == nullptr) {
-      throw std::runtime_error(file.string() +
-                               ": expected frames that can be replayed, found none; see 'reorient recording info'");
+      throw std::runtime_error(file.string() + ": expected frames that can be replayed, found none" +
+                               (recording_.damages().empty() ? "" : " (" + recording_.damages().front() + ")") +
+                               "; see 'reorient recording info'");
     }
     FrameInputs first;
     first.script_edits = edits_between(engine_->scripts(), scripts);
@@ -53,14 +57,30 @@ class Played : public PlayedRecording {
   std::optional<RunLoop> loop_;
 };
 
+/// The path of a recording that a test names. Throws std::runtime_error, for a file outside of the root without looking
+/// whether it exists.
+std::filesystem::path file_below(const std::filesystem::path& root, const std::string& named) {
+  const auto require_below = [&](const std::filesystem::path& folder, const std::filesystem::path& file) {
+    const std::filesystem::path relative = file.lexically_relative(folder);
+    if (relative.empty() || *relative.begin() == "..")
+      throw std::runtime_error("replay: expected a file below the root of the scripts, found '" + named + "'");
+  };
+  const std::filesystem::path below = std::filesystem::absolute(root).lexically_normal();
+  const std::filesystem::path file = (below / "tests" / named).lexically_normal();
+  require_below(below, file);
+  require_below(std::filesystem::weakly_canonical(below), std::filesystem::weakly_canonical(file));  // behind links
+  return root / "tests" / named;
+}
+
 }  // namespace
 
-PlayRecording recordings_below(std::filesystem::path folder) {
-  return [folder = std::move(folder)](const std::string& file, const ScriptTexts& scripts) {
+PlayRecording recordings_below(const std::filesystem::path& scripts_root) {
+  return [scripts_root](const std::string& named, const ScriptTexts& scripts, const std::function<bool()>& stop) {
+    const std::filesystem::path file = file_below(scripts_root, named);
     try {
-      return std::unique_ptr<PlayedRecording>(new Played(folder / file, scripts));
+      return std::unique_ptr<PlayedRecording>(new Played(file, scripts, stop));
     } catch (const BadBytes& error) {
-      throw std::runtime_error((folder / file).string() + ": " + error.what());
+      throw std::runtime_error(file.string() + ": " + error.what());
     }
   };
 }

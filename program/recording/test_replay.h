@@ -8,7 +8,7 @@
 
 namespace reorient {
 
-/// File names are relative to `folder`, or absolute.
-PlayRecording recordings_below(std::filesystem::path folder);
+/// File names are relative to the tests' folder of the scripts' root. A test may read no file outside of the root.
+PlayRecording recordings_below(const std::filesystem::path& scripts_root);
 
 }  // namespace reorient

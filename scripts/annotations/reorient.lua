@@ -544,7 +544,7 @@ function reload(edit) end
 ---@return boolean is_correct
 function simulate(run) end
 
----Loads a recording (path from the tests' folder) instead of a fake world and runs its first frame with the current scripts instead of the recorded ones. `advance` and `advance_to` continue it; `set_param`, `reload` and `hear` affect its next frame. The recorded views do not change, so the result is only an estimate once the robot acts differently.
+---Loads a recording (path from the tests' folder, below the scripts' root) instead of a fake world and runs its first frame with the current scripts instead of the recorded ones. `advance` and `advance_to` continue it; `set_param`, `reload` and `hear` affect its next frame. The recorded views do not change, so the result is only an estimate once the robot acts differently.
 ---@param file string
 function replay(file) end
 

@@ -2,17 +2,23 @@
 // Scripted tests that replay a recording, and their creation from a recording.
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "program/recording/test_replay.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/recording.h"
 #include "workbench/recording/recording_file.h"
+#include "workbench/script_tools/testing/test_runner.h"
 
 namespace reorient {
 namespace {
@@ -79,12 +85,18 @@ TEST_F(ReplayingTest, ReachesTheNextFrameWithParametersEditsAndMessages) {
 
 TEST_F(ReplayingTest, ReportsMistakesInATestAndContinues) {
   folder_.write("scripts/tests/recordings/text.mcap", "no recording");
+  folder_.write("outside.mcap", "no recording");
+  std::filesystem::create_symlink(folder_.path() / "outside.mcap", scripts() / "tests/recordings/link.mcap");
   const std::string flip = "replay \"recordings/recorded_flip.mcap\" ";
   const std::pair<std::string, const char*> mistakes[] = {
       {"replay \"recordings/nothing.mcap\"", "recordings/nothing.mcap: it cannot be read: No such file"},
       {"replay \"recordings/text.mcap\"", "expected the start mark of an MCAP file, found other bytes"},
       {"replay \"recordings\"", "expected a recording, found something that is not a file"},
       {"replay(nil)", "string expected"},
+      {"replay \"/etc/passwd\"", "replay: expected a file below the root of the scripts, found '/etc/passwd'"},
+      {"replay \"/etc/nothing\"", "replay: expected a file below the root of the scripts, found '/etc/nothing'"},
+      {"replay \"../../nothing.mcap\"", "expected a file below the root of the scripts, found '../../nothing.mcap'"},
+      {"replay \"recordings/link.mcap\"", "expected a file below the root of the scripts"},
       {"replay(\"recordings/recorded_flip.mcap\\0x\")", "expected a file name without zero bytes"},
       {flip + "advance_to(42)", "this replay is already at 42.9"},
       {flip + "advance_to(0/0)", "finite number expected"},
@@ -114,6 +126,45 @@ TEST_F(ReplayingTest, OfManyReplaysEndsAtItsTimeLimit) {
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.out.find("instructions"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("passed, 0 failed"), std::string::npos) << run.out;
+}
+
+/// A recording without images has no frame at which a replay can begin, so opening it reads all of it.
+TEST_F(ReplayingTest, OfALongRecordingEndsAtItsTimeLimitAlsoWhileItIsOpened) {
+  const std::filesystem::path file = scripts() / "tests/recordings/long.mcap";
+  const ProgramRun recorded = run_reorient({"run", "--seconds", "3", "--width", "160", "--no-pictures", "--log", "off",
+                                            "--record", file.string(), "--record-images", "none"});
+  ASSERT_NE(recorded.out.find("91 frames"), std::string::npos) << recorded.out << recorded.err;
+  int asked = 0;
+  const auto stop = [&] { return ++asked > 4; };
+  const PlayRecording play = recordings_below(scripts());
+  EXPECT_THROW(play("recordings/long.mcap", ScriptTexts(), stop), mcap::Stopped);
+  EXPECT_EQ(asked, 5) << "nothing is read afterwards";
+  folder_.write("scripts/tests/a_test.lua", "test(\"it\", function() replay \"recordings/long.mcap\" end)\n");
+  TestRun run;
+  run.scripts_root = scripts();
+  run.timeout = 0.2;
+  run.play_recording = [](const std::string&, const ScriptTexts&,
+                          const std::function<bool()>& is_late) -> std::unique_ptr<PlayedRecording> {
+    while (!is_late()) std::this_thread::yield();
+    throw mcap::Stopped();
+  };
+  std::ostringstream out;
+  CoverageTrace trace;
+  EXPECT_EQ(run_script_tests(run, out, trace).failed, 1);
+  EXPECT_NE(out.str().find("the test took more than 0.2 s; --timeout SECONDS gives each test more"), std::string::npos)
+      << out.str();
+}
+
+TEST_F(ReplayingTest, IsMadeOfARecordingWhoseNameIsNoLineOfLua) {
+  const std::filesystem::path named = folder_.path() / "a\nerror(\"executed\")\n--.mcap";
+  std::filesystem::copy_file(kProjectFolder / "scripts/tests/recordings/recorded_flip.mcap", named);
+  const ProgramRun made = run_reorient({"record-test", named.string(), "--from", "43.2", "--to", "43.4", "--name",
+                                        "made_here", "--scripts", scripts().string()});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::string text = read_whole_file(scripts() / "tests/made_here_test.lua").value();
+  EXPECT_EQ(text.find("\nerror("), std::string::npos) << text;
+  const ProgramRun run = run_reorient({"test", "--scripts", scripts().string()});
+  EXPECT_EQ(run.code, 0) << run.out;
 }
 
 TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {

@@ -104,7 +104,8 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"replay(file: string)",
      "replay \"recordings/flip.mcap\"",
-     "Loads a recording (path from the tests' folder) instead of a fake world and runs its first frame with the "
+     "Loads a recording (path from the tests' folder, below the scripts' root) instead of a fake world and runs its "
+     "first frame with the "
      "current scripts instead of the recorded ones. `advance` and `advance_to` continue it; `set_param`, `reload` and "
      "`hear` affect its next frame. The recorded views do not change, so the result is only an estimate once the robot "
      "acts differently.",

@@ -27,9 +27,9 @@ class PlayedRecording {
   virtual std::optional<std::string> first_difference() const = 0;
 };
 
-/// Opens a recording, to be run with these scripts instead of the recorded ones. Throws std::runtime_error with one
-/// line.
-using PlayRecording =
-    std::function<std::unique_ptr<PlayedRecording>(const std::string& file, const ScriptTexts& scripts)>;
+/// Opens a recording, to be run with these scripts instead of the recorded ones. Once `stop` returns true, this and the
+/// steps of the recording end early with an exception. Throws std::runtime_error with one line.
+using PlayRecording = std::function<std::unique_ptr<PlayedRecording>(
+    const std::string& file, const ScriptTexts& scripts, const std::function<bool()>& stop)>;
 
 }  // namespace reorient

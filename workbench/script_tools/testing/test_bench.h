@@ -98,6 +98,7 @@ class TestBench {
   bool step_replay();
   void require_fake_world(const char* what) const;
   void require_budget(lua_State* L);
+  void within_budget(const std::function<void()>& play);
   std::string known_state(std::string_view machine, std::string_view path);
   void read_machines();
   void fail(const std::string& expected, const std::string& actual);

@@ -2,7 +2,10 @@
 // Functions of tests that replay a recording: the recorded frames with the current behaviors.
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/parameters/nearest_name.h"
@@ -27,11 +30,24 @@ void TestBench::replay(std::string_view file) {
   constexpr std::int64_t kPriceOfARecording = 1'000'000;
   Sandbox::of(lua_).charge(kPriceOfARecording);
   if (!play_recording_) throw std::runtime_error("replay: recordings are not supported here");
-  replay_ = play_recording_(std::string(file), texts_);
+  within_budget([&] { replay_ = play_recording_(std::string(file), texts_, [this] { return budget_.exceeded(); }); });
   added_ = {};
   seen_ = {};
   step_replay();
   read_machines();
+}
+
+/// Calls `play`, whose exception is that of an exceeded budget if it was stopped for that.
+void TestBench::within_budget(const std::function<void()>& play) {
+  std::optional<std::string> failure;
+  try {
+    play();
+  } catch (const std::runtime_error& error) {
+    failure = error.what();
+  }
+  if (!failure) return;
+  require_budget(lua_);
+  throw std::runtime_error(*failure);
 }
 
 void TestBench::require_fake_world(const char* what) const {
@@ -41,7 +57,8 @@ void TestBench::require_fake_world(const char* what) const {
 
 /// False at the end of the recording.
 bool TestBench::step_replay() {
-  const FrameRecord* const frame = replay_->step(std::exchange(added_, {}));
+  const FrameRecord* frame = nullptr;
+  within_budget([&] { frame = replay_->step(std::exchange(added_, {})); });
   if (frame == nullptr) return false;
   for (const ParameterOutcome& change : frame->parameter_changes) {
     if (!change.refusal.empty()) throw std::runtime_error(change.refusal);
