@@ -2,6 +2,7 @@
 #include "program/program.h"
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <poll.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -17,7 +19,9 @@
 #include "engine/parameters/utf8.h"
 #include "program/command_line_error.h"
 #include "program/help.h"
+#include "program/interruption.h"
 #include "program/subcommand.h"
+#include "workbench/recording/mcap/source.h"
 
 namespace reorient {
 namespace {
@@ -28,6 +32,12 @@ spdlog::color_mode color_mode(const std::string& asked) {
   const char* const no_color = std::getenv("NO_COLOR");
   const bool is_unwanted = asked == "never" || (no_color != nullptr && *no_color != '\0');
   return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
+}
+
+/// Whether the standard output is a pipe whose reader has ended, as head does.
+bool has_reader_ended() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
 }
 
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
@@ -91,8 +101,11 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
   try {
     const int code = parse_and_run(argc, argv, out, err);
     if (out.flush()) return code;
-    err << "reorient: cannot write to the standard output: the reading program has ended, or the disk is full\n";
+    if (has_reader_ended()) return exit_code_of(SIGPIPE);  // as usual in a pipe: the reader has what it wanted
+    err << "reorient: cannot write to the standard output; check the free space of the disk\n";
     return kBadInput;
+  } catch (const mcap::Stopped&) {
+    return exit_code_of(Interruption::signal());
   } catch (const std::exception& error) {
     err << "reorient: " << as_line(error.what()) << '\n';
     return kBadInput;
