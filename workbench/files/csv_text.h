@@ -7,7 +7,8 @@
 
 namespace reorient {
 
-/// One cell, in quotes if necessary.
+/// One cell, in quotes if necessary. A text that a spreadsheet would execute as a formula, because it begins with
+/// = + - or @, gets an apostrophe before it; numbers do not.
 std::string csv_cell(std::string_view text);
 
 }  // namespace reorient
