@@ -36,6 +36,7 @@
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
 #include "workbench/files/home.h"
+#include "workbench/files/input_file.h"
 #include "workbench/footage/decoder_library.h"
 #include "workbench/footage/open_footage.h"
 #include "workbench/views/pictures/camera_view.h"
@@ -96,15 +97,20 @@ std::vector<LabeledImage> read_images(const std::vector<std::filesystem::path>& 
   const FootageDecoder decoder = decoder_library();
   std::vector<LabeledImage> images;
   for (const std::filesystem::path& file : files) {
-    const std::optional<std::string> bytes = read_whole_file(file);
-    if (!bytes) throw std::runtime_error(as_line(file.string() + ": expected a readable image file, found none"));
-    const std::string digest = digest_of(*bytes);
+    constexpr std::uintmax_t kLargest = std::uintmax_t{256} << 20;  // bytes
+    std::string bytes;
+    try {
+      bytes = read_input(file, "a readable image file", kLargest);
+    } catch (const std::runtime_error& reason) {
+      throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
+    }
+    const std::string digest = digest_of(bytes);
     const FieldLabels* const found = labels_of(labels, digest);
     if (found == nullptr) {
       unlabeled.push_back(as_line(file.string()) + ": digest " + digest);
       continue;
     }
-    images.push_back({found, found->raw ? image_of(*found->raw, *bytes, file.string()) : read_image(file, decoder)});
+    images.push_back({found, found->raw ? image_of(*found->raw, bytes, file.string()) : read_image(file, decoder)});
   }
   return images;
 }

@@ -15,14 +15,17 @@
 #include "program/options.h"
 #include "program/program.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
 
 std::string text_of(const std::filesystem::path& file) {
-  const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw std::runtime_error(as_line(file.string()) + ": expected a readable file, found none");
-  return *text;
+  try {
+    return read_input(file, "a text");
+  } catch (const std::runtime_error& reason) {
+    throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
+  }
 }
 
 /// The results that a page names are relative to its folder.

@@ -18,8 +18,8 @@
 #include "program/former_names.h"
 #include "program/run/venue.h"
 #include "workbench/experiments/condition/experiment_file.h"
-#include "workbench/files/atomic_file.h"
 #include "workbench/files/home.h"
+#include "workbench/files/input_file.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -102,9 +102,12 @@ class FileHashes {
   std::uint64_t of(const std::filesystem::path& file) {
     const auto known = hashes_.find(file);
     if (known != hashes_.end()) return known->second;
-    const std::optional<std::string> bytes = read_whole_file(file);
-    if (!bytes) throw std::runtime_error(file.string() + ": expected a readable file; check its permissions");
-    return hashes_[file] = content_hash(*bytes);
+    constexpr std::uintmax_t kLargest = std::uintmax_t{256} << 20;  // bytes, as of a panorama
+    try {
+      return hashes_[file] = content_hash(read_input(file, "a file", kLargest));
+    } catch (const std::runtime_error& reason) {
+      throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
+    }
   }
 
  private:

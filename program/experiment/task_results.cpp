@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/utf8.h"
 #include "engine/script/script_texts.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -125,10 +127,14 @@ std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) con
   const std::filesystem::path file = file_of(task);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
-  const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw std::runtime_error(file.string() + ": expected a readable file; check its permissions");
+  std::string text;
   try {
-    const ordered_json json = ordered_json::parse(*text);
+    text = read_input(file, "the result of a trial");
+  } catch (const std::runtime_error& reason) {
+    throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
+  }
+  try {
+    const ordered_json json = ordered_json::parse(text);
     if (json.at("checksum").get<std::string>() != checksum(json.at("result")))
       throw std::out_of_range("the checksum does not match");
     if (json.at("task").get<int>() != task || json.at("origin").get<std::string>() != hexadecimal(origin))

@@ -11,7 +11,7 @@
 
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -105,7 +105,7 @@ TEST_F(CommandsTest, GraphRefusesANameOfTwoScripts) {
 
 TEST_F(CommandsTest, GraphWritesAFile) {
   EXPECT_EQ(run({"graph", "orientation", "--out", path("o.mmd")}).out, "");
-  EXPECT_EQ(read_whole_file(path("o.mmd")), run({"graph", "orientation"}).out);
+  EXPECT_EQ(read_input(path("o.mmd"), "a file"), run({"graph", "orientation"}).out);
 }
 
 TEST_F(CommandsTest, GraphRefusesUnknownScripts) {
@@ -124,7 +124,7 @@ TEST_F(CommandsTest, ReferenceContainsTheLibrariesOfTheUser) {
   EXPECT_TRUE(page.out.starts_with("# Script reference\n"));
   EXPECT_NE(page.out.find("| `blink(times)` | `times: number` how often |  | Blinks. |\n"), std::string::npos);
   EXPECT_EQ(run({"reference", "--format", "annotations", "--out", path("a.lua")}).out, "");
-  EXPECT_NE(read_whole_file(path("a.lua")).value_or("").find("function library.blink(times) end\n"), std::string::npos);
+  EXPECT_NE(read_input(path("a.lua"), "a file").find("function library.blink(times) end\n"), std::string::npos);
   EXPECT_EQ(run({"reference", "--format", "html"}).code, kBadInput);
 }
 
@@ -146,12 +146,12 @@ TEST_F(CommandsTest, NewScenarioPassesItsCheckAndItsTestOnTheSimulatorToo) {
 }
 
 TEST_F(CommandsTest, NewNeverOverwritesAndAcceptsOnlyPlainNames) {
-  const std::string before = read_whole_file(scripts_ / "behaviors/orientation.lua").value();
+  const std::string before = read_input(scripts_ / "behaviors/orientation.lua", "a file");
   for (const char* name : {"orientation", "../escape", "Big", "with space", "", "1st", "a/b"}) {
     EXPECT_EQ(run({"new", "behavior", name}).code, kBadInput) << name;
   }
   EXPECT_EQ(run({"new", "robot", "x"}).code, kBadInput);
-  EXPECT_EQ(read_whole_file(scripts_ / "behaviors/orientation.lua"), before);
+  EXPECT_EQ(read_input(scripts_ / "behaviors/orientation.lua", "a file"), before);
 }
 
 TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
@@ -220,7 +220,7 @@ TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
 TEST_F(CommandsTest, ARunSavesChangedParameters) {
   const std::string file = path("tuned.toml");
   run_shortly({"--scripts", scripts_.string(), "--set", "head_scan.speed=2.5", "--save-params", file});
-  const std::string saved = read_whole_file(file).value_or("");
+  const std::string saved = read_input(file, "a file");
   EXPECT_EQ(saved.substr(0, saved.find(' ')), "head_scan.speed");
   EXPECT_EQ(run_shortly({"--save-params", path("no/folder/x")}).code, kBadInput);
 }
@@ -231,7 +231,7 @@ TEST_F(CommandsTest, OneFileOfParametersServesARobotInAllItsScenarios) {
   std::ofstream(scripts_ / "behaviors/careful.lua") << "behavior \"careful\" {}\n";
   const ProgramRun ran = run_shortly({"--scripts", scripts_.string(), "--params", team, "--save-params", saved});
   EXPECT_EQ(ran.code, kWrong) << ran.err;  // after three seconds
-  const std::string text = read_whole_file(saved).value_or("");
+  const std::string text = read_input(saved, "a file");
   EXPECT_NE(text.find("mirrored_placement.learn = 30 "), std::string::npos) << text;
   EXPECT_NE(text.find("kidnapped.learn = 20  # not used in the run that saved this\n"), std::string::npos) << text;
   EXPECT_NE(text.find("careful.name = 0 "), std::string::npos) << text;
@@ -348,7 +348,7 @@ TEST_F(CommandsTest, TestWritesAReportAndCoverage) {
   const ProgramRun tested = run({"test", "--coverage", "--junit", file, (scripts_ / "tests/get_up_test.lua").string()});
   EXPECT_EQ(tested.code, kSuccess) << tested.out;
   EXPECT_NE(tested.out.find("get_up: 3 of 3 states"), std::string::npos) << tested.out;
-  EXPECT_TRUE(read_whole_file(file).value_or("").starts_with("<?xml"));
+  EXPECT_TRUE(read_input(file, "a file").starts_with("<?xml"));
   EXPECT_EQ(run({"test", "--junit", path("no/folder/x")}).code, kBadInput);
 }
 

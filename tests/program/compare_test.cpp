@@ -157,7 +157,7 @@ TEST_F(CompareTest, RefusesInvalidTables) {
   }
   expect_refused({before, (folder.path() / "gone.json").string()},
                  "gone.json: expected a file that 'experiment --json' wrote, found none");
-  expect_refused({folder.path().string(), before}, ": expected a file that 'experiment --json' wrote, found none");
+  expect_refused({folder.path().string(), before}, ": expected a file that 'experiment --json' wrote, found a folder");
   expect_refused({before, ""}, "second");
 }
 

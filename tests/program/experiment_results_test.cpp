@@ -145,7 +145,7 @@ TEST_F(ResultsTest, OfAnotherTaskAreRefusedAndNotChanged) {
   EXPECT_EQ(read_text(result("out", 3)), read_text(result("out", 2)));
   std::filesystem::remove(result("out", 3));
   std::filesystem::create_directory(result("out", 3));
-  expect_refused({"--out", path("out"), "--resume"}, "000003.json: expected a readable file");
+  expect_refused({"--out", path("out"), "--resume"}, "000003.json: expected the result of a trial, found a folder");
 }
 
 TEST_F(ResultsTest, OfOtherScriptsAreRefused) {

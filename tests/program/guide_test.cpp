@@ -14,7 +14,7 @@
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -92,7 +92,7 @@ class Guide : public ::testing::TestWithParam<Page> {
   void edit(const Block& block) const {
     std::string from, to;
     for (const std::string& line : block.lines) (line.starts_with('-') ? from : to) += line.substr(1);
-    std::string text = read_whole_file(folder_.path() / block.file).value_or("");
+    std::string text = read_input(folder_.path() / block.file, "a file");
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << "line " << block.line << ": " << block.file << " has no '" << from << "'";
     folder_.write(block.file, text.replace(at, from.size(), to));

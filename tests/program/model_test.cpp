@@ -118,8 +118,8 @@ TEST_F(RunWithAModel, RefusesAModelWithOtherParameters) {
 TEST_F(RunWithAModel, RefusesWhatIsNotAFile) {
   std::filesystem::create_directory(folder.path() / "folder");
   mkfifo((folder.path() / "pipe").c_str(), 0600);
-  for (const auto& [name, complaint] : {std::pair("folder", "expected a file, found a folder"),
-                                        {"pipe", "expected a plain file, found another type"}}) {
+  for (const auto& [name, complaint] : {std::pair("folder", ", found a folder"),
+                                        {"pipe", "expected a model of a room, found another type of file"}}) {
     const ProgramRun refused = run_shortly({"--model", (folder.path() / name).string()});
     EXPECT_EQ(refused.code, kBadInput);
     EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
@@ -141,7 +141,7 @@ TEST_F(RunWithAModel, RefusesAnUnreadableModel) {
   const int code = run.wait();
   if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
   EXPECT_EQ(code, kBadInput);
-  EXPECT_NE(run.err().find("expected a readable file; check its permissions; it was not changed"), std::string::npos)
+  EXPECT_NE(run.err().find("found one that cannot be read: Permission denied; it was not changed"), std::string::npos)
       << run.err();
 }
 
@@ -362,10 +362,10 @@ TEST_F(ModelCommand, RefusesTheSameModelTwice) {
 
 TEST_F(ModelCommand, RefusesFilesThatAreNotModels) {
   expect_bad({}, "expected a file that 'reorient run --model FILE' wrote, found none");
-  expect_bad({(folder.path() / "none").string()}, "expected a file, found none; name a file that");
-  expect_bad({folder.path().string()}, "expected a file, found a folder; name a file that");
+  expect_bad({(folder.path() / "none").string()}, "expected a model of a room, found none; name a file that");
+  expect_bad({folder.path().string()}, "expected a model of a room, found a folder; name a file that");
   expect_bad({folder.write("long", std::string(std::size_t{2} << 20, 'x')).string()},
-             "expected a model of a room, found a larger file");
+             "expected a model of a room of at most 1 MiB, found a larger one");
   for (const test::DamagedModel& damaged : test::damaged_models()) {
     SCOPED_TRACE(damaged.what);
     expect_bad({file_of(damaged.bytes)}, damaged.complaint);

@@ -15,7 +15,7 @@
 #include "program/recording/test_replay.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/recording/recording.h"
 #include "workbench/recording/recording_file.h"
 #include "workbench/script_tools/testing/test_runner.h"
@@ -39,7 +39,7 @@ class ReplayingTest : public testing::Test {
     return run_reorient({"test", "--scripts", scripts().string()});
   }
   void edit(const std::string& script, const std::string& from, const std::string& to) {
-    std::string edited = read_whole_file(scripts() / script).value();
+    std::string edited = read_input(scripts() / script, "a file");
     const std::size_t at = edited.find(from);
     ASSERT_NE(at, std::string::npos) << script << " does not contain " << from;
     folder_.write("scripts/" + script, edited.replace(at, from.size(), to));

@@ -15,7 +15,7 @@
 #include "tests/program/program_run.h"
 #include "tests/shared_data.h"
 #include "tests/temporary_folder.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/views/pictures/rating_view.h"
 
 namespace reorient {
@@ -51,7 +51,7 @@ class RoomRate : public ::testing::Test {
 
 /// Width and height of a PNG file, which follow its signature and the head of its first chunk.
 std::pair<int, int> size_of_png(const std::string& file) {
-  const std::string bytes = read_whole_file(file).value_or("");
+  const std::string bytes = read_input(file, "a file");
   if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") return {0, 0};
   const auto number = [&](std::size_t place) {
     int value = 0;
@@ -135,7 +135,7 @@ TEST_F(RoomRate, RatesTheModelAtTheEndOfARecording) {
 TEST_F(RoomRate, RefusesATruncatedRecording) {
   const std::string recording = path("run.mcap");
   run_shortly({"--record", recording});
-  const std::string bytes = read_whole_file(recording).value_or("");
+  const std::string bytes = read_input(recording, "a file");
   ASSERT_GT(bytes.size(), 10'000u);
   for (const std::size_t size : {bytes.size() - 1, bytes.size() / 2, std::size_t{64}, std::size_t{9}}) {
     SCOPED_TRACE(size);
@@ -153,7 +153,7 @@ TEST_F(RoomRate, RefusesEachDamagedModel) {
 }
 
 TEST_F(RoomRate, RefusesFilesThatAreNotRooms) {
-  expect_refused({path("no.model")}, "no.model: expected a file, found none");
+  expect_refused({path("no.model")}, "no.model: expected a model of a room, found none");
   expect_refused({path("no.hdr")}, "unknown room '" + path("no.hdr") + "'");
   expect_refused({path("no.mcap")}, "no.mcap: expected a file, found none");
   expect_refused({folder.path().string()}, "expected a file, found a folder");

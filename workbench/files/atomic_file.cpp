@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/files/atomic_file.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <exception>
-#include <fstream>
+#include <mutex>
+#include <set>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -16,6 +20,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "engine/script/script_texts.h"
 #include "workbench/files/write_all.h"
 
 namespace reorient {
@@ -51,22 +56,71 @@ class OpenFile {
   int descriptor_;
 };
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 /// Flushes the folder entry, too. Some file systems do not support it.
 void sync_folder_of(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int descriptor = open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
   static_cast<void>(fsync(descriptor));
   ::close(descriptor);
 }
 
+/// Identity of the system in which a process number is unique: a folder may be shared with another computer or
+/// container.
+const std::string& this_system() {
+  static const std::string system = [] {
+    std::array<char, 256> name{};  // of the host; at most 64 bytes on Linux
+    gethostname(name.data(), name.size() - 1);
+    std::error_code error;
+    const std::string processes = std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
+    return std::to_string(content_hash(name.data() + processes) % 1'000'000'000);
+  }();
+  return system;
+}
+
+/// The process that writes a temporary file of this name; nothing: another name, or a process of another system.
+std::optional<pid_t> writer_of(std::string_view name) {
+  // FILE.SYSTEM-PROCESS-NUMBER.partial
+  constexpr std::string_view kEnd = ".partial";
+  if (!name.ends_with(kEnd)) return std::nullopt;
+  name.remove_suffix(kEnd.size());
+  name.remove_prefix(std::min(name.size(), name.rfind('.')));
+  const std::string begin = "." + this_system() + "-";
+  if (!name.starts_with(begin)) return std::nullopt;
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data() + begin.size(), name.data() + name.size(), process);
+  const bool is_ours = error == std::errc() && process > 0 && end != name.data() + name.size() && *end == '-';
+  return is_ours ? std::optional(process) : std::nullopt;
+}
+
+/// Removes the temporary files of processes that were killed: once for each folder, because it may be large.
+void remove_abandoned_files_of(const std::filesystem::path& folder) {
+  static std::mutex mutex;
+  static std::set<std::filesystem::path> cleaned;
+  {
+    const std::lock_guard lock(mutex);
+    if (!cleaned.insert(folder).second) return;
+  }
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::optional<pid_t> writer = writer_of(entry->path().filename().native());
+    std::error_code gone;
+    if (!writer || entry->symlink_status(gone).type() != std::filesystem::file_type::regular) continue;
+    if (kill(*writer, 0) != 0 && errno == ESRCH) unlink(entry->path().c_str());
+  }
+}
+
 /// A name that no other process and no other call uses.
 std::filesystem::path fresh_name_beside(const std::filesystem::path& file) {
   static std::atomic<unsigned> count{0};
+  remove_abandoned_files_of(folder_of(file));
   std::filesystem::path name = file;
   do {
     name = file;
-    name += "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".partial";
+    name += "." + this_system() + "-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".partial";
   } while (std::filesystem::exists(std::filesystem::symlink_status(name)));
   return name;
 }
@@ -187,16 +241,6 @@ void try_to_write(std::vector<std::string>& failures, const std::function<void()
   } catch (const std::exception& error) {
     failures.emplace_back(error.what());
   }
-}
-
-std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) return std::nullopt;
-  return std::move(text).str();
 }
 
 void require_writable_file(const std::filesystem::path& file, std::string_view option) {

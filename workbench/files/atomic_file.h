@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +35,6 @@ class FileInTheMaking {
 
 /// Writes one of several independent outputs: if `write` throws, adds a line to `failures`.
 void try_to_write(std::vector<std::string>& failures, const std::function<void()>& write);
-
-/// The whole file; nothing: it cannot be read.
-std::optional<std::string> read_whole_file(const std::filesystem::path& file);
 
 /// Checks before a long run that its results can be written. `option`: the option that names the file. Throws
 /// std::runtime_error with one line.

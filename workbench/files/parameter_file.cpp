@@ -121,11 +121,13 @@ std::string as_key(std::string_view name) {
 }  // namespace
 
 std::vector<ParameterChange> read_parameters(const std::filesystem::path& file) {
-  std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing)) fail(file.string(), "expected a parameter file, found none");
-  const std::optional<std::string> text = read_toml_text(file);
-  if (!text) fail(file.string(), "expected a readable file; check its permissions");
-  return parse_parameters(*text, file.string());
+  std::string text;
+  try {
+    text = read_toml_text(file, "a parameter file");
+  } catch (const std::runtime_error& reason) {
+    fail(file.string(), reason.what());
+  }
+  return parse_parameters(text, file.string());
 }
 
 std::vector<ParameterChange> parse_parameters(std::string_view text, const std::string& name) {

@@ -41,13 +41,11 @@ std::string shown(const toml::node& node, bool with_lists) {
 std::string found_text(const toml::node& node) { return ", found " + shown(node, true); }
 
 std::string read_data_file(const std::filesystem::path& file, const std::string& kind, const std::string& folder) {
-  std::error_code missing;
-  if (!std::filesystem::is_regular_file(file, missing))
-    throw std::runtime_error(
-        as_line(file.string() + ": expected a file (" + kind + "), found none; examples in " + folder));
-  std::optional<std::string> text = read_toml_text(file);
-  if (!text) throw std::runtime_error(as_line(file.string() + ": expected a readable file; check its permissions"));
-  return *std::move(text);
+  try {
+    return read_toml_text(file, "a file (" + kind + ")");
+  } catch (const std::runtime_error& reason) {
+    throw std::runtime_error(as_line(file.string() + ": " + reason.what() + "; examples in " + folder));
+  }
 }
 
 toml::table parse_table(std::string_view text, const std::string& name) {

@@ -2,10 +2,11 @@
 #include "workbench/files/toml_text.h"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include <toml++/toml.h>
+
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -70,30 +71,68 @@ std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
   return std::nullopt;
 }
 
+constexpr std::string_view kHexDigits = "0123456789ABCDEF";
+
+/// The text with its letters beyond ASCII, and the percent sign, as in a URL: different texts stay different. In TOML a
+/// percent sign has no meaning.
+std::string percent_encoded(std::string_view text) {
+  std::string encoded;
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (is_beyond_ascii(letter) || letter == '%') {
+      encoded.append(1, '%').append(1, kHexDigits[code / 16]).append(1, kHexDigits[code % 16]);
+    } else {
+      encoded += letter;
+    }
+  }
+  return encoded;
+}
+
+std::string percent_decoded(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_code = text[i] == '%' && i + 2 < text.size();
+    const std::size_t high = is_code ? kHexDigits.find(text[i + 1]) : std::string_view::npos;
+    const std::size_t low = is_code ? kHexDigits.find(text[i + 2]) : std::string_view::npos;
+    if (high == std::string_view::npos || low == std::string_view::npos) {
+      decoded += text[i];
+    } else {
+      decoded += static_cast<char>(16 * high + low);
+      i += 2;
+    }
+  }
+  return decoded;
+}
+
+std::optional<toml::parse_error> mistake_in(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    return error;
+  }
+  return std::nullopt;
+}
+
 /// If a text is not TOML, the parser may see quotes differently from letter_beyond_ascii(), and find such a letter
-/// outside of them. Replaces these letters by question marks for the check.
+/// outside of them. Replaces these letters for the check: by question marks, which keep the positions of all others,
+/// and if that makes two names the same, by percent codes.
 std::optional<TomlExcess> mistake_beside_letters(std::string_view text) {
   std::string ascii(text);
   const std::ptrdiff_t begin = text.starts_with(kByteOrderMark) ? std::ssize(kByteOrderMark) : 0;
   std::replace_if(ascii.begin() + begin, ascii.end(), is_beyond_ascii, '?');
   if (ascii == text) return std::nullopt;
-  try {
-    static_cast<void>(toml::parse(ascii));
-  } catch (const toml::parse_error& error) {
-    return TomlExcess{static_cast<int>(error.source().begin.line), std::string(error.description())};
-  }
-  return std::nullopt;
+  std::optional<toml::parse_error> mistake = mistake_in(ascii);
+  const bool may_be_two_names = mistake && mistake->description().find("redefine") != std::string_view::npos;
+  if (may_be_two_names) mistake = mistake_in(percent_encoded(text.substr(static_cast<std::size_t>(begin))));
+  if (!mistake) return std::nullopt;
+  const std::string why(mistake->description());
+  return TomlExcess{static_cast<int>(mistake->source().begin.line), may_be_two_names ? percent_decoded(why) : why};
 }
 
 }  // namespace
 
-std::optional<std::string> read_toml_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kLargest + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad() || !in.is_open()) return std::nullopt;
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
+std::string read_toml_text(const std::filesystem::path& file, const std::string& what) {
+  return read_input(file, what, kLargest);
 }
 
 std::optional<TomlExcess> excess_in_toml(std::string_view text) {

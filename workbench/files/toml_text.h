@@ -12,8 +12,8 @@
 
 namespace reorient {
 
-/// Reads slightly more than the limit at most. Nothing: the file cannot be read.
-std::optional<std::string> read_toml_text(const std::filesystem::path& file);
+/// Throws as read_input().
+std::string read_toml_text(const std::filesystem::path& file, const std::string& what);
 
 struct TomlExcess {
   int line = 1;

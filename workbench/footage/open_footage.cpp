@@ -9,7 +9,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "robots/footage/messages/bad_message.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -23,6 +23,8 @@ std::string extension_of(const fs::path& file) {
   return extension;
 }
 
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;  // bytes, of an image or a table
+
 /// Refuses pipes and devices, because reading them could block. Throws BadFootage.
 void require_file(const fs::path& file, const std::string& what) {
   std::error_code error;
@@ -35,15 +37,11 @@ void require_file(const fs::path& file, const std::string& what) {
 
 std::string read_file(const fs::path& file, const std::string& what) {
   require_file(file, what);
-  constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;  // a table of millions of images
-  std::error_code error;
-  if (const std::uintmax_t size = fs::file_size(file, error); !error && size > kLargestFile) {
-    throw BadFootage(file.string() + ": expected " + what + " of at most " + std::to_string(kLargestFile) +
-                     " bytes, found " + std::to_string(size));
+  try {
+    return read_input(file, what, kLargestFile);
+  } catch (const std::runtime_error& reason) {
+    throw BadFootage(file.string() + ": " + reason.what());
   }
-  std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw BadFootage(file.string() + ": expected " + what + ", found a file that cannot be read");
-  return std::move(*text);
 }
 
 std::vector<FrameRow> rows_of_folder(const fs::path& folder) {

@@ -10,7 +10,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/utf8.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -22,7 +22,8 @@ struct Flaw : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-constexpr double kLongest = 1e9;  // s or hours: larger than any measurement
+constexpr std::uintmax_t kLargestRows = std::uintmax_t{512} << 20;  // bytes: a million trials
+constexpr double kLongest = 1e9;                                    // s or hours: larger than any measurement
 constexpr int kMostEvents = 1'000'000'000;
 
 /// A short value as it is in the file, otherwise its type.
@@ -146,18 +147,19 @@ std::vector<StoredRow> read_rows(const std::filesystem::path& file) {
   const auto refuse = [&file](const std::string& why) {
     throw std::runtime_error(as_line(file.string() + ": " + why));
   };
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    refuse("expected a file that 'experiment --json' wrote, found none");
-  const std::optional<std::string> text = read_whole_file(file);
-  if (!text) refuse("expected a readable file; check its permissions");
+  std::string text;
   try {
-    return rows_from(ordered_json::parse(*text));
+    text = read_input(file, "a file that 'experiment --json' wrote", kLargestRows);
+  } catch (const std::runtime_error& reason) {
+    refuse(reason.what());
+  }
+  try {
+    return rows_from(ordered_json::parse(text));
   } catch (const nlohmann::json::parse_error& mistake) {
-    const auto until = text->begin() + static_cast<std::ptrdiff_t>(std::min(mistake.byte, text->size()));
+    const auto until = text.begin() + static_cast<std::ptrdiff_t>(std::min(mistake.byte, text.size()));
     throw std::runtime_error(as_line(
         fmt::format("{}:{}: expected JSON, found invalid or truncated text; 'experiment --json' writes it again",
-                    file.string(), 1 + std::count(text->begin(), until, '\n'))));
+                    file.string(), 1 + std::count(text.begin(), until, '\n'))));
   } catch (const nlohmann::json::exception&) {
     refuse("expected numbers below 1.8e308, found a larger one; 'experiment --json' writes it again");
   } catch (const Flaw& flaw) {

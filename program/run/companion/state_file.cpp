@@ -15,6 +15,7 @@
 #include "engine/record/digest.h"
 #include "geometry/bytes.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -36,7 +37,7 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
 
 /// Reads the file only if it belongs to this user: its content becomes scripts that run, its digest is not secret, and
 /// in a folder such as /tmp each user may write. Returns nothing if the file is missing, or, with `why_not`, another
-/// user's.
+/// user's or too large.
 std::optional<std::string> read_own_file(const std::filesystem::path& file, std::string& why_not) {
   const OwnedDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
@@ -45,7 +46,12 @@ std::optional<std::string> read_own_file(const std::filesystem::path& file, std:
     why_not = "the file belongs to another user";
     return std::nullopt;
   }
-  return read_whole_file("/proc/self/fd/" + std::to_string(opened.get()));
+  try {
+    return read_input("/proc/self/fd/" + std::to_string(opened.get()), "a saved state");
+  } catch (const std::runtime_error& reason) {
+    why_not = reason.what();
+    return std::nullopt;
+  }
 }
 
 }  // namespace

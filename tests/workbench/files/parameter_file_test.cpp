@@ -88,8 +88,22 @@ TEST_F(ParameterFile, OfAHundredThousandKeysIsRefused) {
 
 TEST_F(ParameterFile, ThatIsTooLargeIsRefused) {
   EXPECT_NE(refusal(repeated("# a comment, of which there is no end\n", 30'000))
-                .find("p.toml:1: expected a file of at most 1 MiB"),
+                .find("p.toml: expected a parameter file of at most 1 MiB, found a larger one (1114 KiB)"),
             std::string::npos);
+}
+
+TEST_F(ParameterFile, MayHaveDifferentKeysOfTheSameLengthBeyondAscii) {
+  const std::vector<ParameterChange> changes = parse_parameters(
+      "\"\u00e4\" = 1\n\"\u00f6\" = 2\n\"%C3%B6\" = 3\n\"%25C3%25B6\" = 4\n\"\u20ac\u20ac\" = 5\n\"\u00e4%%\" = 6\n",
+      "p.toml");
+  std::map<std::string, std::string> values;
+  for (const ParameterChange& change : changes) values[change.name] = change.value;
+  const std::map<std::string, std::string> expected{{"\u00e4", "1"},     {"\u00f6", "2"},       {"%C3%B6", "3"},
+                                                    {"%25C3%25B6", "4"}, {"\u20ac\u20ac", "5"}, {"\u00e4%%", "6"}};
+  EXPECT_EQ(values, expected);
+  const std::string twice = refusal("\"\u00e4\" = 1\n\"\u00f6\" = 2\n\"a%25\u00e4\" = 3\n\"a%25\u00e4\" = 4\n");
+  EXPECT_NE(twice.find("p.toml:4: "), std::string::npos) << twice;
+  EXPECT_NE(twice.find("cannot redefine existing integer '\"a%25\u00e4\""), std::string::npos) << twice;
 }
 
 TEST_F(ParameterFile, MayHaveOtherLettersThanAsciiOnlyInQuotesAndComments) {

@@ -19,7 +19,7 @@
 #include "engine/script/language/world_fields.h"
 #include "tests/engine/eventful_run.h"
 #include "tests/paths.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/recording/viewer/base64.h"
 #include "workbench/recording/viewer/foxglove.h"
 #include "workbench/recording/viewer/viewer_messages.h"
@@ -236,7 +236,7 @@ void expect_path(const std::string& path, char separator) {
 }
 
 TEST(ViewerTopics, AreListedOnThePageAboutRecordings) {
-  const std::string page = read_whole_file(std::filesystem::path(kSourceFolder) / "docs" / "recordings.md").value();
+  const std::string page = read_input(std::filesystem::path(kSourceFolder) / "docs" / "recordings.md", "a file");
   for (const ViewerTopicInfo& row : kViewerTopics) {
     const std::string line = "| `" + std::string(row.name) + "` | `" + std::string(row.schema) + "` | " +
                              std::string(row.description) + " |\n";
@@ -246,7 +246,7 @@ TEST(ViewerTopics, AreListedOnThePageAboutRecordings) {
 
 TEST(ViewerLayouts, NameExistingTopicsAndFields) {
   const std::filesystem::path folder = std::filesystem::path(kSourceFolder) / "assets" / "views";
-  const Json layout = Json::parse(read_whole_file(folder / "lichtblick.json").value());
+  const Json layout = Json::parse(read_input(folder / "lichtblick.json", "a file"));
   int paths = 0;
   const std::function<void(const Json&)> visit = [&](const Json& json) {
     for (const auto& [key, value] : json.items()) {
@@ -271,7 +271,7 @@ TEST(ViewerLayouts, NameExistingTopicsAndFields) {
     visit_panels(place.at("second"));
   };
   visit_panels(layout.at("layout"));
-  const std::string xml = read_whole_file(folder / "plotjuggler.xml").value();
+  const std::string xml = read_input(folder / "plotjuggler.xml", "a file");
   const std::regex curve("curve name=\"([^\"]+)\"");
   for (std::sregex_iterator it(xml.begin(), xml.end(), curve), end; it != end; ++it, ++paths)
     expect_path((*it)[1], '/');

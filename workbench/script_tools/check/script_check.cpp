@@ -10,7 +10,7 @@
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
 #include "engine/script/source/source_locations.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
@@ -159,17 +159,18 @@ class ScriptCheck {
 
   void check_script_text(const std::string& file, ScriptRole role) {
     ++result_.files;
-    const std::optional<std::string> text = text_of(file, role);
-    if (!text) {
+    const ScriptText script = text_of(file, role);
+    if (!script.problem.empty()) {
       // The loader has already reported the scripts that it tried to read.
       const bool is_loaded_before = role == ScriptRole::behavior || role == ScriptRole::scenario;
-      if (!is_loaded_before) result_.findings.push_back({Severity::error, file, {}, "this script cannot be read"});
+      if (!is_loaded_before) result_.findings.push_back({Severity::error, file, {}, script.problem});
       return;
     }
+    const std::string& text = script.text;
     Sandbox sandbox{ScriptLimits{}};
-    if (std::optional<ScriptFault> fault = sandbox.compile(*text, file)) {
+    if (std::optional<ScriptFault> fault = sandbox.compile(text, file)) {
       // Same wording as the loader's, so that an error that the loader also found is listed once.
-      const int column = SourceLocations(*text).column_of_syntax_error(fault->message, fault->line);
+      const int column = SourceLocations(text).column_of_syntax_error(fault->message, fault->line);
       result_.findings.push_back({Severity::error, file, {fault->line, column}, fault->message});
       return;
     }
@@ -181,7 +182,7 @@ class ScriptCheck {
       const ScriptText* const library = texts_.find(file_of(module));
       known.modules_use_metatables |= library != nullptr && library->text.find("setmetatable") != std::string::npos;
     }
-    TextCheck check = check_text(*text, known);
+    TextCheck check = check_text(text, known);
     for (Finding& finding : check.findings) {
       finding.file = file;
       result_.findings.push_back(std::move(finding));
@@ -200,10 +201,16 @@ class ScriptCheck {
     }
   }
 
-  std::optional<std::string> text_of(const std::string& file, ScriptRole role) const {
-    if (role == ScriptRole::test) return read_whole_file(root_ / file);  // no limit of its size
-    const ScriptText* const text = texts_.find(file);
-    return text != nullptr && text->problem.empty() ? std::optional(text->text) : std::nullopt;
+  ScriptText text_of(const std::string& file, ScriptRole role) const {
+    if (role != ScriptRole::test) {
+      const ScriptText* const text = texts_.find(file);
+      return text != nullptr ? *text : ScriptText{"", "expected a script, found none"};
+    }
+    try {
+      return {read_input(root_ / file, "a scripted test"), ""};
+    } catch (const std::runtime_error& reason) {
+      return {"", reason.what()};
+    }
   }
 
   std::filesystem::path root_;

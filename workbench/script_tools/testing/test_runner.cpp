@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/script/sandbox/sandbox.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -164,9 +164,11 @@ std::vector<std::filesystem::path> find_tests(std::span<const std::filesystem::p
 }
 
 std::string read(const std::filesystem::path& file) {
-  std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw std::runtime_error(file.string() + ": the test cannot be read");
-  return std::move(*text);
+  try {
+    return read_input(file, "a scripted test");
+  } catch (const std::runtime_error& reason) {
+    throw std::runtime_error(file.string() + ": " + reason.what());
+  }
 }
 
 /// The text with each line indented.
