@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "program/run/run_recording.h"
 
+#include <cerrno>
 #include <charconv>
 #include <ctime>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
 
+#include <fcntl.h>
 #include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
+#include <unistd.h>
 
 #include "engine/parameters/counted.h"
 #include "program/robots.h"
@@ -85,13 +88,20 @@ std::optional<std::filesystem::path> further_part(const std::filesystem::path& f
   return std::nullopt;
 }
 
-/// A name for which neither a file nor a further part exists.
-std::filesystem::path free_name(const std::filesystem::path& first) {
-  std::filesystem::path file = first;
+/// Creates an empty file with the first name for which neither a file nor a further part exists: two programs that
+/// start together must not choose the same name. If that is not possible, the recorder reports why.
+std::filesystem::path reserved_name(const std::filesystem::path& first) {
   std::error_code error;
-  for (int number = 2; std::filesystem::exists(file, error) || further_part(file); ++number)
+  if (std::filesystem::is_other(first, error)) return first;  // a pipe has no earlier recording
+  std::filesystem::path file = first;
+  for (int number = 2;; ++number) {
+    if (!further_part(file)) {
+      const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor >= 0) close(descriptor);
+      if (descriptor >= 0 || errno != EEXIST) return file;
+    }
     file.replace_filename(fmt::format("{}-{}{}", first.stem().string(), number, first.extension().string()));
-  return file;
+  }
 }
 
 }  // namespace
@@ -137,7 +147,7 @@ std::optional<RecorderOptions> recorder_options(const RunOptions& options, const
 RunRecording::RunRecording(std::optional<RecorderOptions> options, std::function<void(const std::string&)> tell,
                            EarlierRecording earlier) {
   if (!options) return;
-  if (earlier == EarlierRecording::stays) options->file = free_name(options->file);
+  if (earlier == EarlierRecording::stays) options->file = reserved_name(options->file);
   options->about.emplace("begun", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time(nullptr))));
   file_ = options->file;
   recorder_.emplace(*std::move(options), std::move(tell));

@@ -3,12 +3,15 @@
 // simulator as the robot, connected by pipes.
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "engine/record/digest.h"
 #include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/robots/companion/raw_client.h"
@@ -199,6 +203,74 @@ TEST_F(CompanionClient, FindsItsKnowledgeAfterAnotherRobotWasConnected) {
   ASSERT_TRUE(again.await("waiting for a client")) << again.err();
   EXPECT_EQ(knows_client(socket(), other), false) << again.err();
   EXPECT_TRUE(again.await("belongs to another user")) << again.err();
+}
+
+TEST_F(CompanionClient, KeepsItsKnowledgeIfTheClockIsSetBack) {
+  const reorient_hello hello = small_hello(1);
+  {
+    ChildProgram companion(folder_.path(), server());
+    ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+    EXPECT_EQ(knows_client(socket(), hello), false);
+    companion.kill(SIGTERM);
+    companion.wait();
+  }
+  // The file contains the time of the clock that can be set, then the identity of the computer's start as a text after
+  // its length. The second word is the digest of all bytes behind it.
+  std::string state = read_text(socket() + ".state");
+  std::string start;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> start;
+  const std::size_t place = state.find(start);
+  ASSERT_TRUE(!start.empty() && place != std::string::npos);
+  double time = 0.0;
+  const std::size_t at = place - sizeof(std::uint32_t) - sizeof(time);
+  std::memcpy(&time, state.data() + at, sizeof(time));
+  ASSERT_GT(time, 1.6e9) << "seconds since 1970";
+  constexpr double kYear = 3.2e7;
+  time += kYear;  // the clock was a year ahead when the state was saved
+  std::memcpy(state.data() + at, &time, sizeof(time));
+  const auto store = [&] {
+    Digest digest;
+    digest.add(std::string_view(state).substr(2 * sizeof(std::uint64_t)));
+    const std::uint64_t value = digest.value();
+    std::memcpy(state.data() + sizeof(value), &value, sizeof(value));
+    folder_.write("s.state", state);
+  };
+  store();
+  {
+    ChildProgram companion(folder_.path(), server());
+    ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+    EXPECT_EQ(knows_client(socket(), hello), true) << companion.err();
+    companion.kill(SIGTERM);
+    companion.wait();
+  }
+  // After another start of the computer, only this clock is left.
+  state[place] = state[place] == '0' ? '1' : '0';
+  store();
+  const ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+  EXPECT_EQ(knows_client(socket(), hello), false);
+  EXPECT_TRUE(companion.await("saved later than now, by the clock of the computer")) << companion.err();
+}
+
+TEST_F(CompanionClient, ReportsThatItCannotKeepTheStateOfAnotherRobot) {
+  const std::string aside = socket() + ".state.other";
+  std::filesystem::create_directory(aside);
+  {
+    ChildProgram refused(folder_.path(), server());
+    EXPECT_EQ(refused.wait(), 2);
+    EXPECT_EQ(refused.err(), "reorient: cannot write '" + aside +
+                                 "': expected a file, found a folder; name another file with --state\n");
+  }
+  std::filesystem::remove(aside);
+  const ChildProgram companion(folder_.path(), server());
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+  reorient_hello other = small_hello(2);
+  other.body.yaw_limit = 0.5;
+  EXPECT_EQ(knows_client(socket(), small_hello(1)), false);
+  std::filesystem::create_directory(aside);
+  EXPECT_EQ(knows_client(socket(), other), false);
+  EXPECT_TRUE(companion.await(aside + ": cannot be written, so the state of the other robot is lost: Is a directory"))
+      << companion.err();
 }
 
 /// The pose in the answer to a frame that contains this initial pose, or none.

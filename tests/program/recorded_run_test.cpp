@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -437,6 +439,60 @@ TEST_F(RunThatIsRecorded, ByARobotUsesTheNextFreeName) {
   EXPECT_TRUE(std::filesystem::exists(file("run.mcap")));
   EXPECT_FALSE(std::filesystem::exists(file("run-2.mcap")));
   EXPECT_TRUE(std::filesystem::exists(file("run-3.mcap")));
+}
+
+TEST_F(RunThatIsRecorded, ByRobotsThatStartTogetherUsesANameForEach) {
+  constexpr int kRobots = 8;
+  RunOptions options;
+  options.robot = "companion";
+  options.record = file("run.mcap");
+  std::vector<std::future<std::string>> robots;
+  for (int robot = 0; robot < kRobots; ++robot) {
+    robots.push_back(std::async(std::launch::async, [&options] {
+      RunRecording recording(
+          recorder_options(options, ""), [](const std::string& line) { ADD_FAILURE() << line; },
+          EarlierRecording::stays);
+      std::ostringstream out;
+      recording.end(out);
+      return out.str();
+    }));
+  }
+  std::set<std::string> names;
+  for (std::future<std::string>& robot : robots) names.insert(robot.get());
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kRobots)) << *names.begin();
+  EXPECT_TRUE(std::filesystem::exists(file("run-8.mcap")));
+  EXPECT_FALSE(std::filesystem::exists(file("run-9.mcap")));
+}
+
+TEST_F(RunThatIsRecorded, IsNotMixedWithAnotherRunOfTheSameFile) {
+  const TemporaryFolder other;
+  ChildProgram first(folder_.path(), {"run", "--realtime", "--seconds", "600", "--width", "160", "--no-pictures",
+                                      "--record", file("run.mcap")});
+  ASSERT_TRUE(await([&] { return std::filesystem::exists(file("run.mcap")) || first.has_ended(); }));
+  ASSERT_TRUE(first.await("0.50 s"));
+  ChildProgram second(other.path(),
+                      {"run", "--seconds", "3", "--width", "160", "--no-pictures", "--record", file("run.mcap")});
+  EXPECT_EQ(second.wait(), 2);
+  EXPECT_EQ(second.err(), "reorient: " + file("run.mcap") +
+                              ": expected a file that no other process writes, found a recording in progress; name "
+                              "another file\n");
+  first.kill(SIGTERM);
+  EXPECT_EQ(first.wait(), 128 + SIGTERM) << first.err();
+  const ProgramRun replayed = run_reorient({"replay", file("run.mcap")});
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+}
+
+TEST_F(RunThatIsRecorded, PrintsThatItsFileIsGone) {
+  ChildProgram run(folder_.path(), {"run", "--realtime", "--seconds", "600", "--width", "160", "--no-pictures",
+                                    "--record", file("run.mcap")});
+  ASSERT_TRUE(run.await("0.50 s"));
+  std::filesystem::rename(file("run.mcap"), file("moved.mcap"));
+  run.kill(SIGTERM);
+  EXPECT_EQ(run.wait(), 128 + SIGTERM) << run.err();
+  EXPECT_NE(run.err().find("reorient: the recording is lost: " + file("run.mcap") + ": expected the recording of "),
+            std::string::npos)
+      << run.err();
+  EXPECT_NE(run.out().find("recording: " + file("run.mcap") + ", 0 frames, 0.0 MB"), std::string::npos) << run.out();
 }
 
 TEST_F(RunThatIsRecorded, RefusesTimesOutsideOfTheRecording) {

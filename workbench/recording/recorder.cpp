@@ -18,6 +18,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include "engine/record/input_bytes.h"
 #include "engine/record/record_bytes.h"
@@ -71,13 +72,20 @@ struct Recorder::Shared {
       : first_file(options.file),
         about(options.about),
         file(std::make_unique<RecordingFile>(options.file, options.about, topics)),
+        lock_of_first(file->share_lock()),
         viewer(options.jpeg_quality) {}
+  ~Shared() {
+    if (lock_of_first >= 0) close(lock_of_first);
+  }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
 
   // Used by the thread only.
   const std::filesystem::path first_file;
   const mcap::Texts about;
   const std::vector<ViewTopic> topics = view_topics();
   std::unique_ptr<RecordingFile> file;
+  const int lock_of_first;  // while further parts are written, no other run may replace the first
   std::uint64_t earlier_bytes = 0, earlier_frames = 0;  // of earlier files
   ViewerMessages viewer;
   std::vector<ViewMessage> views;
@@ -251,13 +259,14 @@ void Recorder::write_items(Shared& shared) {
   const sched_param none{};
   pthread_setschedparam(pthread_self(), SCHED_BATCH, &none);
   int files = 1;
-  bool is_given_up = false;  // the last file was removed
+  bool is_gone = false;  // the last file: removed by this thread, or by another program
   const auto write = [&](Item& item) {
     if (item.begins_file) {
       std::filesystem::path name = shared.first_file;
       name.replace_extension("." + std::to_string(files + 1) + shared.first_file.extension().string());
       shared.file->finish();
-      auto next = std::make_unique<RecordingFile>(name, shared.about, shared.topics);
+      // The user did not name it, so it may belong to another run.
+      auto next = std::make_unique<RecordingFile>(name, shared.about, shared.topics, RecordingFile::Existing::stays);
       shared.earlier_bytes += shared.file->size();
       shared.earlier_frames += shared.file->frames();
       shared.file = std::move(next);
@@ -278,9 +287,9 @@ void Recorder::write_items(Shared& shared) {
   };
 
   const auto count = [&] {
-    shared.file_bytes = is_given_up ? 0 : shared.file->size();
+    shared.file_bytes = is_gone ? 0 : shared.file->size();
     shared.counts.bytes = shared.earlier_bytes + shared.file_bytes;
-    shared.counts.frames = shared.earlier_frames + shared.file->frames();
+    shared.counts.frames = shared.earlier_frames + (is_gone ? 0 : shared.file->frames());
     shared.counts.files = files;
   };
 
@@ -320,16 +329,24 @@ void Recorder::write_items(Shared& shared) {
   try {
     shared.file->finish();
   } catch (const std::exception& error) {  // the data before it is readable
-    trouble = error.what();
+    trouble = "the recording lacks its end: ";
+    trouble += error.what();
   }
-  if (files > 1 && shared.file->frames() == 0) {  // an additional file without any frame
+  try {
+    shared.file->require_in_place();
+  } catch (const std::exception& error) {
+    trouble = "the recording is lost: ";
+    trouble += error.what();
+    is_gone = true;
+  }
+  if (!is_gone && files > 1 && shared.file->frames() == 0) {  // an additional file without any frame
     std::error_code failed;
-    is_given_up = std::filesystem::remove(shared.file->path(), failed);
-    files -= is_given_up ? 1 : 0;
+    is_gone = std::filesystem::remove(shared.file->path(), failed);
   }
+  files -= is_gone && files > 1 ? 1 : 0;
   lock.lock();
   count();
-  if (!trouble.empty() && shared.trouble.empty()) shared.trouble = "the recording lacks its end: " + trouble;
+  if (!trouble.empty() && shared.trouble.empty()) shared.trouble = std::move(trouble);
   shared.is_over = true;
   shared.over.notify_one();
 }

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "geometry/bytes.h"
@@ -26,13 +28,49 @@ std::runtime_error failure(const std::filesystem::path& file, int error) {
   return std::runtime_error(file.string() + ": the file cannot be written: " + std::strerror(error));
 }
 
+/// The state of the file that the path names; nothing: none.
+std::optional<struct stat> named_by(const std::filesystem::path& file) {
+  struct stat status {};
+  return stat(file.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
+}
+
+bool is_same_file(const std::optional<struct stat>& one, const struct stat& other) {
+  return one && one->st_dev == other.st_dev && one->st_ino == other.st_ino;
+}
+
+/// Locks the file, and empties it only then: a second process must not destroy a recording in progress. Several runs
+/// may write the same device or pipe. A file system without locks is used without one.
+void lock_and_empty(int descriptor, const std::filesystem::path& file) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) throw failure(file, errno);
+  if (!S_ISREG(status.st_mode)) return;
+  const bool is_locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  // Another process may have removed the file between the opening and the lock.
+  if ((!is_locked && errno == EWOULDBLOCK) || !is_same_file(named_by(file), status))
+    throw std::runtime_error(file.string() +
+                             ": expected a file that no other process writes, found a recording in progress; name "
+                             "another file");
+  if (ftruncate(descriptor, 0) != 0) throw failure(file, errno);
+}
+
+int opened(const std::filesystem::path& file, RecordingFile::Existing existing) {
+  const int only_new = existing == RecordingFile::Existing::stays ? O_EXCL : 0;
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | only_new, 0666);
+  if (descriptor < 0) throw failure(file, errno);
+  try {
+    lock_and_empty(descriptor, file);
+  } catch (...) {
+    close(descriptor);
+    throw;
+  }
+  return descriptor;
+}
+
 }  // namespace
 
-RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views)
-    : file_(file),
-      descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
-      flushed_(std::chrono::steady_clock::now()) {
-  if (descriptor_ < 0) throw failure(file, errno);
+RecordingFile::RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views,
+                             Existing existing)
+    : file_(file), descriptor_(opened(file, existing)), flushed_(std::chrono::steady_clock::now()) {
   try {
     const auto version = about.find("version");
     writer_.emplace([this](std::span<const std::byte> bytes) { write(bytes); },
@@ -161,5 +199,17 @@ void RecordingFile::finish() {
   flush();
   if (failed) std::rethrow_exception(failed);
 }
+
+void RecordingFile::require_in_place() const {
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0) throw failure(file_, errno);
+  const bool is_whole = !S_ISREG(status.st_mode) || status.st_size == size_;
+  if (is_whole && is_same_file(named_by(file_), status)) return;
+  throw std::runtime_error(file_.string() +
+                           ": expected the recording of this run, found that another program removed, replaced or "
+                           "changed the file");
+}
+
+int RecordingFile::share_lock() const { return fcntl(descriptor_, F_DUPFD_CLOEXEC, 0); }
 
 }  // namespace reorient

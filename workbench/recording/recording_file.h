@@ -23,9 +23,15 @@ namespace reorient {
 
 class RecordingFile {
  public:
-  /// `views`: the possible topics for viewers. Throws std::runtime_error with one line if the file cannot be written,
-  /// and removes the file then. The other functions throw the same, but the written data remains.
-  RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views);
+  /// Treatment of a file that exists.
+  enum class Existing { is_replaced, stays };
+
+  /// `views`: the possible topics for viewers. Locks the file, so that no second process writes it. Throws
+  /// std::runtime_error with one line if the file cannot be written, is being written by another process, or exists and
+  /// `existing` says that it stays. Removes an incomplete new file then. The other functions throw the same, but the
+  /// written data remains.
+  RecordingFile(const std::filesystem::path& file, const mcap::Texts& about, std::vector<ViewTopic> views,
+                Existing existing = Existing::is_replaced);
   ~RecordingFile();
   RecordingFile(const RecordingFile&) = delete;
   RecordingFile& operator=(const RecordingFile&) = delete;
@@ -39,6 +45,12 @@ class RecordingFile {
   /// Ends the file; nothing may be added afterwards. If it throws, the file may still be complete, without its last
   /// frames.
   void finish();
+  /// Throws std::runtime_error with one line if the path does not name the written data any more: another program
+  /// removed, replaced or changed the file.
+  void require_in_place() const;
+  /// A descriptor that holds the lock of the file, also after this object is destroyed. The caller closes it; -1:
+  /// failed.
+  int share_lock() const;
 
   const std::filesystem::path& path() const { return file_; }
   std::uint64_t size() const { return writer_->size(); }

@@ -137,8 +137,10 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   std::optional<SavedModel> model = model_to_begin_with(options);
   const std::filesystem::path socket = options.socket.empty() ? default_socket_path() : options.socket;
   const std::filesystem::path state = options.state.empty() ? socket.string() + ".state" : options.state.string();
-  require_writable_file(state, "--state");
-  require_no_link(state);
+  for (const std::filesystem::path& file : {state, aside_of(state)}) {
+    require_writable_file(file, "--state");
+    require_no_link(file);
+  }
   const std::optional<RecorderOptions> recording_options = recorder_options(options, "");
 
   // The prompt's engine changes with each client of another robot.

@@ -2,6 +2,8 @@
 #include "program/run/companion/state_file.h"
 
 #include <chrono>
+#include <ctime>
+#include <fstream>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -9,6 +11,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <spdlog/spdlog.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,11 +25,41 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x33706d6f43725272ull;  // "rRrComp3": another layout gets another number
 constexpr double kPeriod = 1.0, kUrgentPeriod = 0.1;     // s
-/// s, by the wall clock; a robot that was not tracked for longer may be anywhere.
-constexpr double kOldest = 600.0;
+constexpr double kOldest = 600.0;                        // s; a robot that was not tracked for longer may be anywhere
 
-double wall_clock() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+/// When a state was saved. A clock that is set, as often after a robot started without a network, must not make the
+/// state old or new: within one start of the computer, only the time since that start counts.
+struct SavingTime {
+  double wall = 0.0;   ///< s, of the clock that can be set
+  std::string start;   ///< identity of the computer's last start; empty: unknown
+  double since = 0.0;  ///< s since that start
+};
+template <typename Visit, ConstOr<SavingTime> T>
+void fields(Visit&& visit, T& time) {
+  visit(time.wall, time.start, time.since);
+}
+
+SavingTime saving_time() {
+  static const std::string start = [] {
+    std::string identity;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> identity;
+    return identity;
+  }();
+  SavingTime now;
+  now.wall = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  now.start = start;
+  timespec since{};
+  clock_gettime(CLOCK_BOOTTIME, &since);
+  now.since = static_cast<double>(since.tv_sec) + 1e-9 * static_cast<double>(since.tv_nsec);
+  return now;
+}
+
+void require_recent(const SavingTime& saved) {
+  const SavingTime now = saving_time();
+  const bool is_one_start = !now.start.empty() && saved.start == now.start;
+  const double age = is_one_start ? now.since - saved.since : now.wall - saved.wall;
+  check_bytes(age <= kOldest, "saved more than 10 minutes ago");
+  check_bytes(age >= -kPeriod, "saved later than now, by the clock of the computer");
 }
 
 std::uint64_t digest_of(std::span<const std::byte> bytes) {
@@ -63,6 +96,8 @@ void require_no_link(const std::filesystem::path& file) {
                              ": expected a file, found a symbolic link; name the file itself");
 }
 
+std::filesystem::path aside_of(const std::filesystem::path& file) { return file.string() + ".other"; }
+
 StateKeeper::StateKeeper(std::filesystem::path file, std::string circumstances)
     : file_(std::move(file)), circumstances_(std::move(circumstances)) {}
 
@@ -72,7 +107,7 @@ std::vector<std::byte> StateKeeper::bytes_of(const FrameLoop& engine, Companion&
   engine.save(state);
   std::vector<std::byte> rest;
   ByteWriter out(rest);
-  out(circumstances_, wall_clock(), state, companion);
+  out(circumstances_, saving_time(), state, companion);
   std::vector<std::byte> all;
   ByteWriter whole(all);
   whole(kMagic, digest_of(rest));
@@ -103,8 +138,14 @@ void StateKeeper::finish(const FrameLoop& engine, Companion& companion) {
 
 void StateKeeper::begin_writing(const FrameLoop& engine, Companion& companion) {
   writing_command_ = companion.unstored_command();
-  std::error_code failed;  // on failure the file is overwritten
-  if (std::exchange(is_of_another_, false)) std::filesystem::rename(file_, aside(), failed);
+  if (std::exchange(is_of_another_, false)) {
+    std::error_code failed;
+    std::filesystem::rename(file_, aside(), failed);
+    // The robot that is connected needs the file more than the other one.
+    if (failed)
+      spdlog::warn("{}: cannot be written, so the state of the other robot is lost: {}", aside().string(),
+                   failed.message());
+  }
   writing_.start([bytes = bytes_of(engine, companion), file = file_] {
     require_no_link(file);
     write_whole_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -136,10 +177,9 @@ std::unique_ptr<FrameLoop> StateKeeper::read(const std::filesystem::path& file, 
     check_bytes(magic == kMagic, "saved by another version");
     check_bytes(digest == digest_of(bytes.subspan(kHeader)), "damaged (digest mismatch)");
     std::string circumstances;
-    double saved = 0.0;
+    SavingTime saved;
     in(circumstances, saved);
-    check_bytes(wall_clock() - saved <= kOldest && saved <= wall_clock() + kPeriod,
-                "saved more than 10 minutes ago, or in the future");
+    require_recent(saved);
     is_of_another_ = circumstances != circumstances_;
     if (is_of_another_) {
       const auto version = [](const std::string& all) { return all.substr(0, all.find(' ')); };

@@ -21,6 +21,9 @@ namespace reorient {
 /// std::runtime_error with one line.
 void require_no_link(const std::filesystem::path& file);
 
+/// FILE.other: where the state of another robot lies.
+std::filesystem::path aside_of(const std::filesystem::path& file);
+
 /// Saves once a second, and inputs that a client sends once and commands at once. Frames do not wait for the disk, but
 /// commands do: the client gets a command only when the state is stored in which it was decided. Otherwise a process
 /// that is killed in between would decide it again, and two flips cancel out.
@@ -39,12 +42,13 @@ class StateKeeper {
   void finish(const FrameLoop& engine, Companion& companion);
 
   /// Restores an engine, and a companion with its handshake. Nothing: the file is missing, or `why_not` contains a
-  /// short reason. The first save moves the state of another robot to FILE.other, where it is searched, too.
+  /// short reason. The first save moves the state of another robot to FILE.other, where it is searched, too. If that
+  /// fails, a warning is logged and the state is lost.
   std::unique_ptr<FrameLoop> restore(Companion& companion, std::string& why_not);
 
  private:
   std::vector<std::byte> bytes_of(const FrameLoop& engine, Companion& companion) const;
-  std::filesystem::path aside() const { return file_.string() + ".other"; }
+  std::filesystem::path aside() const { return aside_of(file_); }
   std::unique_ptr<FrameLoop> read(const std::filesystem::path& file, Companion& companion, std::string& why_not);
   void begin_writing(const FrameLoop& engine, Companion& companion);
 

@@ -24,7 +24,7 @@
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
 #include "tests/workbench/recording/replayed.h"
-#include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/recording/packed_image.h"
 #include "workbench/recording/recorder.h"
 
@@ -174,7 +174,7 @@ TEST_F(RecordedRun, ContinuesAtTheNextStateAfterDamage) {
 TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
   // A frame may be split between two chunks, one of which is lost. A damaged index loses no frame.
   record(options());
-  const std::string whole = read_whole_file(file()).value();
+  const std::string whole = read_input(file(), "a file");
   Random random(5);
   int lossy = 0;
   for (int i = 0; i < 60; ++i) {
@@ -198,7 +198,7 @@ TEST_F(RecordedRun, IsReadOnBehindADamageAnywhere) {
 /// An erased block of a flash memory destroys even the head of a chunk.
 TEST_F(RecordedRun, IsReadAfterEachChunkThatIsLostWithItsHead) {
   record(options());
-  const std::string whole = read_whole_file(file()).value();
+  const std::string whole = read_input(file(), "a file");
   std::vector<std::size_t> heads;
   {
     const Recording recording(file());
@@ -249,6 +249,7 @@ TEST_F(RecordedRun, WithRotationIsManyRecordingsThatCanAllBeReplayed) {
   EXPECT_EQ(frames, static_cast<std::uint64_t>(kFrames));
   rotated.rotate_seconds = 0.0;
   rotated.rotate_bytes = 1;  // a new file after each write to the disk
+  rotated.file = folder_.path() / "small.mcap";
   record(rotated);
   EXPECT_GT(counts_.files, 1);
 }
@@ -313,6 +314,79 @@ TEST_F(RecordedRun, ContinuesWithoutARecordingOnAFullDisk) {
   EXPECT_GT(recorder->counts().views_left_out, recorder->counts().images_left_out);
   close(reader);  // now writing fails, and the thread ends
   recorder.reset();
+}
+
+TEST_F(RecordedRun, IsNotReplacedByASecondRunUntilItsEnd) {
+  RecorderOptions parts = options();
+  parts.rotate_seconds = 5.0;
+  std::optional<Recorder> first(std::in_place, parts, [](const std::string& line) { ADD_FAILURE() << line; });
+  FrameLoop engine(eventful_setup());
+  const auto step = [&](const Bytes& bytes) {
+    const StoredInputs stored(bytes);
+    first->before(stored.inputs(), engine);
+    first->observe(engine.step(stored.inputs()), {});
+  };
+  for (int i = 0; i < 200; ++i) step(run()[static_cast<std::size_t>(i)]);
+  // Also while a further part is written.
+  ASSERT_TRUE(await([&] { return std::filesystem::exists(folder_.path() / "run.2.mcap"); }));
+  for (const char* name : {"run.mcap", "run.2.mcap"}) {
+    RecorderOptions second = options();
+    second.file = folder_.path() / name;
+    try {
+      const Recorder recorder(second, [](const std::string&) {});
+      ADD_FAILURE() << name << " is replaced";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()), (folder_.path() / name).string() +
+                                               ": expected a file that no other process writes, found a recording in "
+                                               "progress; name another file");
+    }
+  }
+  first->end();
+  const Recorder::Counts counts = first->counts();
+  EXPECT_EQ(counts.frames, 200u);
+  EXPECT_EQ(counts.files, 2);
+  first.reset();
+  int frames = 0;
+  for (const char* name : {"run.mcap", "run.2.mcap"}) {
+    Recording recording(folder_.path() / name);
+    for (RecordedFrame frame; recording.next(frame);) ++frames;
+  }
+  EXPECT_EQ(frames, 200);
+  const Recorder again(options(), [](const std::string&) {});  // the lock ends with the recorder
+}
+
+TEST_F(RecordedRun, IsReportedAsLostIfItsFileWasRemoved) {
+  std::optional<Recorder> recorder(std::in_place, options(),
+                                   [this](const std::string& line) { reports_.push_back(line); });
+  FrameLoop engine(eventful_setup());
+  for (int i = 0; i < 30; ++i) {
+    const StoredInputs stored(run()[static_cast<std::size_t>(i)]);
+    recorder->before(stored.inputs(), engine);
+    recorder->observe(engine.step(stored.inputs()), {});
+  }
+  std::filesystem::remove(file());
+  folder_.write("run.mcap", "another program's");
+  recorder->end();
+  ASSERT_EQ(reports_.size(), 1u);
+  EXPECT_EQ(reports_[0], "the recording is lost: " + file().string() +
+                             ": expected the recording of this run, found that another program removed, replaced or "
+                             "changed the file");
+  EXPECT_EQ(recorder->counts().frames, 0u);
+  EXPECT_EQ(recorder->counts().bytes, 0u);
+  EXPECT_EQ(read_input(file(), "a file"), "another program's");
+}
+
+TEST_F(RecordedRun, DoesNotOverwriteAFileWithTheNameOfAFurtherPart) {
+  folder_.write("run.2.mcap", "a part of another run");
+  RecorderOptions parts = options();
+  parts.rotate_seconds = 5.0;
+  record(parts);
+  ASSERT_EQ(reports_.size(), 1u);
+  EXPECT_NE(reports_[0].find("the recording ends here: "), std::string::npos) << reports_[0];
+  EXPECT_NE(reports_[0].find("run.2.mcap: the file cannot be written: File exists"), std::string::npos) << reports_[0];
+  EXPECT_EQ(read_input(folder_.path() / "run.2.mcap", "a file"), "a part of another run");
+  EXPECT_EQ(counts_.files, 1);
+  EXPECT_GT(counts_.frames, 100u);
 }
 
 TEST_F(RecordedRun, OnADiskThatHangsEndsTheFileAfterItsRecorderIsDestroyed) {
