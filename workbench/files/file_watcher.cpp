@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <set>
 #include <utility>
 
 #include <sys/inotify.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 #include "engine/script/script_texts.h"
@@ -22,26 +22,29 @@ constexpr std::uint32_t kEvents = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DE
                                   IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
 
-/// File systems without events for changes by other computers: NFS, CIFS, SMB, FUSE (sshfs), 9p (a virtual machine's
-/// host). Numbers: statfs(2).
-bool is_of_another_machine(const std::filesystem::path& folder) {
-  struct statfs status {};
-  if (statfs(folder.c_str(), &status) != 0) return false;
-  constexpr std::array<std::uint32_t, 5> kTypes{0x6969, 0xff534d42, 0xfe534d42, 0x65735546, 0x01021997};
-  return std::find(kTypes.begin(), kTypes.end(), static_cast<std::uint32_t>(status.f_type)) != kTypes.end();
+/// The folder and all files and folders below it. A folder that is removed meanwhile ends the listing.
+template <typename Visit>
+void visit_below(const std::filesystem::path& folder, const Visit& visit) {
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(folder, kSkip, error), end; !error && entry != end;
+       entry.increment(error))
+    visit(*entry);
 }
 
 }  // namespace
 
-FileWatcher::FileWatcher(std::filesystem::path root, Means means) : root_(std::move(root)) {
-  if (means == Means::automatic && !is_of_another_machine(root_)) begin_watching();
+FileWatcher::FileWatcher(std::filesystem::path root, Means means, std::vector<std::filesystem::path> folders)
+    : root_(std::move(root)), folders_(std::move(folders)) {
+  for (std::filesystem::path& folder : folders_) folder = root_ / folder;
+  if (folders_.empty()) folders_.push_back(root_);
+  if (means == Means::automatic) begin_watching();
   if (watched_.empty()) stop_watching();
   signature_ = signature();
 }
 
 FileWatcher::~FileWatcher() { stop_watching(); }
 
-/// Compares files from now on.
+/// Only compares files from now on.
 void FileWatcher::stop_watching() {
   if (descriptor_ >= 0) close(descriptor_);
   descriptor_ = -1;
@@ -72,9 +75,8 @@ bool FileWatcher::follow_root() {
   return true;
 }
 
-/// The root and all directories below it. Watching one again adds no watch.
+/// The root, and the watched folders with all directories below them. Watching one again adds no watch.
 void FileWatcher::watch_directories() {
-  std::error_code error;
   const auto watch = [this](const std::filesystem::path& directory) {
     const int watch_id = inotify_add_watch(descriptor_, directory.c_str(), kEvents);
     if (watch_id >= 0) watched_[watch_id] = directory;
@@ -82,10 +84,12 @@ void FileWatcher::watch_directories() {
     return watch_id;
   };
   root_watch_ = watch(root_);
-  for (std::filesystem::recursive_directory_iterator entry(root_, kSkip, error), end; !error && entry != end;
-       entry.increment(error)) {
-    std::error_code gone;
-    if (entry->is_directory(gone)) watch(entry->path());
+  for (const std::filesystem::path& folder : folders_) {
+    if (folder != root_) watch(folder);
+    visit_below(folder, [&watch](const std::filesystem::directory_entry& entry) {
+      std::error_code gone;
+      if (entry.is_directory(gone)) watch(entry.path());
+    });
   }
 }
 
@@ -111,38 +115,46 @@ bool FileWatcher::read_events() {
 
 std::uint64_t FileWatcher::signature() const {
   std::set<std::string> lines;
-  std::error_code error;
-  for (std::filesystem::recursive_directory_iterator entry(root_, kSkip, error), end; !error && entry != end;
-       entry.increment(error)) {
-    std::error_code gone;
-    if (!entry->is_regular_file(gone)) continue;
-    const auto time = entry->last_write_time(gone).time_since_epoch().count();
-    lines.insert(entry->path().string() + " " + std::to_string(time) + " " + std::to_string(entry->file_size(gone)));
+  for (const std::filesystem::path& folder : folders_) {
+    visit_below(folder, [&lines](const std::filesystem::directory_entry& entry) {
+      struct stat file {};
+      if (stat(entry.path().c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return;
+      std::string line = entry.path().string();
+      // An edit may keep the size, and a copy the time of its original.
+      for (const auto value : {static_cast<std::int64_t>(file.st_ino), static_cast<std::int64_t>(file.st_size),
+                               static_cast<std::int64_t>(file.st_mtim.tv_sec), std::int64_t{file.st_mtim.tv_nsec},
+                               static_cast<std::int64_t>(file.st_ctim.tv_sec), std::int64_t{file.st_ctim.tv_nsec}})
+        line += " " + std::to_string(value);
+      lines.insert(std::move(line));
+    });
   }
   std::uint64_t hash = 0;
   for (const std::string& line : lines) hash = hash * 31 + content_hash(line);
   return hash;
 }
 
-bool FileWatcher::compare_files() {
+/// Whether the files changed since the last comparison. A slow file system is compared less often.
+bool FileWatcher::compare_files(double time) {
+  constexpr double kRest = 10.0;  // times as long as the comparison
+  const auto start = std::chrono::steady_clock::now();
   const std::uint64_t now = signature();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  next_look_ = time + std::max(kInterval, kRest * took.count());
+  looked_ = true;
   return std::exchange(signature_, now) != now;
 }
 
 bool FileWatcher::poll(double time) {
   const bool is_due = !looked_ || time >= next_look_;
   bool changed = false;
-  if (uses_inotify()) {
+  if (descriptor_ >= 0) {
     changed = read_events();
     changed |= is_due && follow_root();
     if (!has_all_) stop_watching();  // the limit of watches is reached (fs.inotify.max_user_watches)
-  } else if (is_due || pending_) {
-    changed = compare_files();
   }
-  if (is_due) {
-    looked_ = true;
-    next_look_ = time + kInterval;
-  }
+  // A change that inotify reported is not reported again. While files change, look at each call for the next change.
+  const bool looks = is_due || changed || (pending_ && descriptor_ < 0);
+  changed |= looks && compare_files(time);
   if (changed) {
     if (!pending_) first_change_ = time;
     last_change_ = time;

@@ -93,7 +93,9 @@ std::vector<ScriptEdit> edits_between(const ScriptTexts& before, const ScriptTex
 }
 
 ScriptFiles::ScriptFiles(std::filesystem::path root)
-    : root_(std::move(root)), watcher_(root_), texts_(read_scripts(root_)) {}
+    : root_(std::move(root)),
+      watcher_(root_, FileWatcher::Means::automatic, {"behaviors", "scenarios", "lib"}),
+      texts_(read_scripts(root_)) {}
 
 std::vector<ScriptEdit> ScriptFiles::poll(double time) {
   if (!watcher_.poll(time)) return {};

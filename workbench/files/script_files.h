@@ -27,7 +27,7 @@ std::optional<std::string> path_below(const std::filesystem::path& root, const s
 /// The engine's name of a script that the user names by "orientation", a file below the root, or a path to that file.
 std::string script_named(const std::filesystem::path& root, const std::string& name);
 
-/// The edits on the disk since the last call.
+/// The edits on the disk since the last call, below behaviors/, scenarios/ and lib/.
 class ScriptFiles {
  public:
   explicit ScriptFiles(std::filesystem::path root);
@@ -35,7 +35,7 @@ class ScriptFiles {
   /// The scripts as last read.
   const ScriptTexts& texts() const { return texts_; }
 
-  /// Never blocks. `time`: s, from any steady clock.
+  /// Takes as long as the disk takes, which may hang: no frame calls it. `time`: s, from any steady clock.
   std::vector<ScriptEdit> poll(double time);
 
  private:

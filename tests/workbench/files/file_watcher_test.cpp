@@ -2,6 +2,8 @@
 // Changed files are noticed, in place or by renaming, without sleeping.
 #include "workbench/files/file_watcher.h"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 #include "tests/temporary_folder.h"
@@ -119,6 +121,38 @@ TEST_P(Watcher, DoesNotWaitForeverForQuiet) {
     count += watcher.poll(time_) ? 1 : 0;
   }
   EXPECT_GE(count, 1);
+}
+
+/// As on a share: another computer changed the file, and this computer gets no event. Here the mask has none for times.
+TEST_P(Watcher, NoticesAChangeWithoutAnEvent) {
+  const std::filesystem::path file = folder_.write("behaviors/a.lua", "1");
+  FileWatcher watcher(folder_.path(), GetParam());
+  EXPECT_EQ(reports(watcher), 0);
+  std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::hours(1));
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, NoticesAFileOfTheSameSizeAndTime) {
+  const std::filesystem::path file = folder_.write("behaviors/a.lua", "1");
+  const auto time = std::filesystem::last_write_time(file);
+  FileWatcher watcher(folder_.path(), GetParam());
+  std::filesystem::last_write_time(folder_.write("new", "2"), time);
+  std::filesystem::rename(folder_.path() / "new", file);
+  EXPECT_EQ(reports(watcher), 1);
+}
+
+TEST_P(Watcher, LooksOnlyAtItsFolders) {
+  folder_.write("behaviors/deep/a.lua", "1");
+  folder_.write("logs/deep/a.log", "1");
+  FileWatcher watcher(folder_.path(), GetParam(), {"behaviors", "lib"});
+  folder_.write("logs/deep/a.log", "22");
+  EXPECT_EQ(reports(watcher), 0);
+  folder_.write("behaviors/deep/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
+  folder_.write("lib/a.lua", "1");
+  EXPECT_EQ(reports(watcher), 1) << "a new folder";
+  folder_.write("lib/a.lua", "22");
+  EXPECT_EQ(reports(watcher), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Means, Watcher, ::testing::Values(FileWatcher::Means::automatic, FileWatcher::Means::polling),
