@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "program/script_names.h"
 
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/source/lua_tokens.h"
 #include "program/former_names.h"
 #include "workbench/files/script_files.h"
 
@@ -61,6 +65,28 @@ std::string scenario_file(const std::filesystem::path& root, const ScriptTexts& 
 
 std::string behavior_file(const std::filesystem::path& root, const ScriptTexts& texts, const std::string& name) {
   return named(kBehaviors, kScenarios, root, texts, name);
+}
+
+std::set<std::string> with_required(const ScriptTexts& texts, const std::set<std::string>& files) {
+  std::set<std::string> all;
+  std::vector<std::string> open(files.begin(), files.end());
+  while (!open.empty()) {
+    const std::string file = std::move(open.back());
+    open.pop_back();
+    const ScriptText* const script = texts.find(file);
+    if (script == nullptr || !all.insert(file).second) continue;
+    const std::vector<LuaToken> tokens = lua_tokens(script->text);
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {  // the last token is the end
+      if (!tokens[i].is(LuaToken::Kind::name, "require")) continue;
+      const LuaToken& name = tokens[i + 1].is_symbol("(") ? tokens[i + 2] : tokens[i + 1];
+      if (name.kind != LuaToken::Kind::text) {
+        const std::vector<std::string> any = texts.files();
+        return {any.begin(), any.end()};
+      }
+      if (std::optional<std::string> required = module_file(name.text)) open.push_back(*std::move(required));
+    }
+  }
+  return all;
 }
 
 void require_script_name(const std::string& name) {

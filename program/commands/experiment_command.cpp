@@ -177,10 +177,9 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
   if (!options.report.empty()) require_writable_folder(options.report, "--report");
   const std::vector<int> missing = session.missing(wanted);
   if (options.tasks.empty() && !options.resume && missing.size() < wanted.size())
-    throw std::runtime_error(
-        fmt::format("{} contains {} of {} results already; --resume continues with the others, another "
-                    "--out starts again",
-                    session.folder().string(), wanted.size() - missing.size(), wanted.size()));
+    throw std::runtime_error(fmt::format(
+        "{} contains {} of {} results already; --resume {}, another --out starts again", session.folder().string(),
+        wanted.size() - missing.size(), wanted.size(), missing.empty() ? "prints them" : "continues with the others"));
   const RunOutcome outcome = run_tasks(options, session, missing, out, err);
   if (!outcome.mistake.empty()) throw std::runtime_error(outcome.mistake + "; when it is fixed, --resume continues");
   if (Interruption::signal() != 0) {
@@ -255,7 +254,7 @@ Subcommand add_experiment(CLI::App& program) {
       ->group(kTrials)
       ->check(CLI::Range(1, kMostJobs))
       ->capture_default_str();
-  parser->add_option("--out", options->out, "folder for the results (default: out/experiments/NAME)")
+  parser->add_option("--out", options->out, "folder for the results (default: one for each plan in out/experiments)")
       ->type_name("FOLDER")
       ->group(kOutputGroup)
       ->check(check_not_empty);

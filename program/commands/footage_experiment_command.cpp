@@ -175,7 +175,9 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
     const std::size_t index = static_cast<std::size_t>(task - 1), within = index % of_footage;
     return Trial{index / of_footage, within % starts, results.cases[within / starts]};
   };
-  const auto origin_of = [&](int task) { return results.footages[trial_of(task).footage]->origin(); };
+  const auto origin_of = [&](int task) {
+    return Origin{{"footage and options", fmt::format("{:016x}", results.footages[trial_of(task).footage]->origin())}};
+  };
   const std::filesystem::path folder = options.out.empty() ? usual_folder(results.footages) : options.out;
   require_writable_folder(folder, "--out");
   const TaskResults tasks(folder);

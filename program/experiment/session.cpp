@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -13,10 +14,11 @@
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
 #include "engine/script/script_texts.h"
+#include "program/experiment/compass_parameters.h"
 #include "program/experiment/outputs/rows_report.h"
 #include "program/experiment/trial_runner.h"
 #include "program/former_names.h"
-#include "program/run/venue.h"
+#include "program/run/simulation.h"
 #include "workbench/experiments/condition/experiment_file.h"
 #include "workbench/files/home.h"
 #include "workbench/files/input_file.h"
@@ -114,6 +116,55 @@ class FileHashes {
   std::map<std::filesystem::path, std::uint64_t> hashes_;
 };
 
+/// The parameters that a choice of an axis sets by itself or by condition files, not by parameter files.
+void append_parameters(const ConditionPatch& patch, std::vector<ParameterChange>& changes) {
+  for (const ConditionPatch& first : patch.first) append_parameters(first, changes);
+  changes.insert(changes.end(), patch.parameters.begin(), patch.parameters.end());
+}
+
+std::vector<ParameterChange> parameters_of(const Axis& axis) {
+  std::vector<ParameterChange> changes;
+  for (const AxisChoice& choice : axis.choices) append_parameters(choice.patch, changes);
+  rename_parameters(changes);
+  return changes;
+}
+
+/// Otherwise the results would have the names of values that no trial had.
+void require_no_axis_sets(const Experiment& experiment, const std::vector<ParameterChange>& overrides) {
+  for (const Axis& axis : experiment.axes) {
+    for (const ParameterChange& varied : parameters_of(axis)) {
+      for (const ParameterChange& one : overrides) {
+        if (one.name != varied.name) continue;
+        throw std::runtime_error(as_line(fmt::format(
+            "{}: expected a parameter that no axis sets, found '{}', which axis '{}' sets at {}; choose its value with "
+            "--only {}=CHOICE",
+            one.source.empty() ? "--set" : one.source, one.name, axis.name, varied.source, axis.name)));
+      }
+    }
+  }
+}
+
+/// Each plan of an experiment has a folder of its own.
+std::filesystem::path usual_folder(const SessionOptions& options, const std::string& name) {
+  std::string changes;
+  const auto add = [&changes](const char* option, const std::string& value) {
+    changes.append(option).append("=").append(value).append(1, '\0');
+  };
+  if (options.trials) add("trials", std::to_string(*options.trials));
+  if (options.width) add("width", std::to_string(*options.width));
+  if (options.seed != SessionOptions().seed) add("seed", std::to_string(options.seed));
+  for (const auto& [option, values] :
+       {std::pair("room", &options.rooms), std::pair("mode", &options.modes), std::pair("motion", &options.motions),
+        std::pair("light", &options.lights), std::pair("only", &options.only),
+        std::pair("set", &options.parameters.assignments)}) {
+    for (const std::string& value : *values) add(option, value);
+  }
+  for (const std::filesystem::path& file : options.parameters.files) add("params", file.string());
+  if (!options.scripts.empty()) add("scripts", options.scripts.string());
+  const std::filesystem::path all = std::filesystem::path("out") / "experiments";
+  return all / (changes.empty() ? name : fmt::format("{}-{:08x}", name, content_hash(changes) & 0xffffffffU));
+}
+
 }  // namespace
 
 Session::Session(const SessionOptions& options)
@@ -121,9 +172,10 @@ Session::Session(const SessionOptions& options)
       experiment_(with_usual_choices(wanted_experiment(options))),
       cells_(cells_of(experiment_)),
       tasks_(tasks_of(experiment_, options.seed)),
-      folder_(options.out.empty() ? std::filesystem::path("out") / "experiments" / experiment_.name : options.out),
+      folder_(options.out.empty() ? usual_folder(options, experiment_.name) : options.out),
       results_(folder_ / "tasks") {
   const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
+  require_no_axis_sets(experiment_, overrides);
   for (Cell& cell : cells_) {
     if (options.width) cell.condition.width = *options.width;
     cell.condition.parameters.insert(cell.condition.parameters.end(), overrides.begin(), overrides.end());
@@ -149,40 +201,79 @@ std::size_t Session::turn_of(const Task& task) const {
   return static_cast<std::size_t>(task.trial) % std::max<std::size_t>(1, experiment_.alternates.size());
 }
 
-/// Checks all conditions at the start, because an error hours later would cost time. Stores the origin of each: a
-/// digest of everything that determines the results, except for the seed.
+/// Checks all conditions at the start, because an error hours later would cost time. Stores the origin of each.
 void Session::prepare_conditions() {
-  scripts_hash_ = content_hash(read_scripts(scripts_));
   FileHashes files;
+  std::set<std::string> used;
   origins_.resize(cells_.size());
+  const auto digest = [](std::uint64_t hash) { return fmt::format("{:016x}", hash); };
   for (const Task& task : tasks_) {
-    std::vector<std::uint64_t>& origins = origins_[task.cell];
+    std::vector<Origin>& origins = origins_[task.cell];
     if (turn_of(task) < origins.size()) continue;  // the same as an earlier one
-    const Condition condition = condition_of(task);
-    const SimulationOptions options = options_of(condition, task.seed, scripts_);
-    const Venue venue = check_trial(condition, task.seed, scripts_);
-    const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
-    std::string text = fmt::format("{}\n{:x}\n{}", REORIENT_VERSION, scripts_hash_, as_text(condition));
-    for (const ParameterChange& change : overrides)
-      text.append(change.name).append(" = ").append(change.value).append("\n");
-    text += fmt::format("body {:x}\n", files.of(body_file(options.body)));
-    text += fmt::format("field {:x}\n", files.of(venue.field));
-    if (!venue.room.empty()) text += fmt::format("room {:x}\n", files.of(venue.room));
-    origins.push_back(content_hash(text));
+    Condition condition = condition_of(task);
+    LoadedFiles loaded = check_trial(condition, task.seed, scripts_);
+    used.merge(loaded.parameters);
+    Origin& origin = origins.emplace_back();
+    origin["program"] = REORIENT_VERSION;
+    for (const auto& [script, hash] : loaded.scripts) origin["script " + script] = digest(hash);
+    loaded_scripts_.merge(loaded.scripts);
+    ParameterOptions parameters;
+    parameters.files.assign(condition.parameter_files.begin(), condition.parameter_files.end());
+    parameters.changes = std::exchange(condition.parameters, {});
+    condition.parameter_files.clear();
+    for (const ParameterChange& change : overrides_of(parameters)) origin[change.name] = change.value;
+    std::istringstream lines(as_text(condition));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t end = line.find(" = ");
+      std::string& value = origin[line.substr(0, end)];  // some have several values, in their order
+      value.append(value.empty() ? "" : ", ").append(line, std::min(line.size(), end + 3));
+    }
+    origin["file of the body"] = digest(files.of(body_file(condition.body)));
+    origin["file of the field"] = digest(files.of(loaded.venue.field));
+    if (!loaded.venue.room.empty()) origin["file of the room"] = digest(files.of(loaded.venue.room));
+  }
+  require_used_parameters(used);
+}
+
+/// A parameter that no trial has would compare equal trials. Condition files are for several experiments, and may set
+/// parameters of behaviors that this one does not load.
+void Session::require_used_parameters(const std::set<std::string>& used) const {
+  std::vector<ParameterChange> changes;
+  for (const Axis& axis : experiment_.axes) {
+    for (const AxisChoice& choice : axis.choices)
+      changes.insert(changes.end(), choice.patch.parameters.begin(), choice.patch.parameters.end());
+  }
+  rename_parameters(changes);
+  for (const ParameterChange& change : without_peers(std::move(changes))) {
+    if (!used.contains(change.name))
+      throw std::runtime_error(as_line(fmt::format(
+          "{}: expected a parameter of a script that a cell of the experiment loads, found '{}'{}", change.source,
+          change.name, did_you_mean(change.name, std::vector<std::string>(used.begin(), used.end())))));
   }
 }
 
-std::uint64_t Session::origin_of(const Task& task) const {
-  return content_hash(fmt::format("{:x}\n{}", origins_[task.cell][turn_of(task)], task.seed));
+Origin Session::origin_of(const Task& task) const {
+  Origin origin = origins_[task.cell][turn_of(task)];
+  origin["seed"] = std::to_string(task.seed);
+  return origin;
+}
+
+/// Each trial reads the scripts: an edit since the session began would mix results of different scripts.
+void Session::require_unchanged_scripts() const {
+  const ScriptTexts texts = read_scripts(scripts_);
+  for (const auto& [script, hash] : loaded_scripts_) {
+    const ScriptText* const text = texts.find(script);
+    if (text == nullptr || content_hash(text->text) != hash)
+      throw std::runtime_error((scripts_ / script).string() +
+                               ": expected an unchanged script during the experiment, found changes");
+  }
 }
 
 void Session::run(int number) {
   if (result(number)) return;
   const Task& task = this->task(number);
   const TrialResult result = run_trial(condition_of(task), task.seed, scripts_, rooms_);
-  // Each trial reads the scripts: an edit since the session began would mix results of different scripts.
-  if (content_hash(read_scripts(scripts_)) != scripts_hash_)
-    throw std::runtime_error(scripts_.string() + ": expected unchanged scripts during the experiment, found changes");
+  require_unchanged_scripts();
   results_.write(number, origin_of(task), result);
 }
 

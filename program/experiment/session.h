@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,7 @@ struct SessionOptions {
   std::vector<std::string> lights;
   std::vector<std::string> only;  ///< "AXIS=CHOICE", of any axis
   ParameterOptions parameters;    ///< for every cell, applied after its own
-  std::filesystem::path out;      ///< empty: out/experiments/NAME
+  std::filesystem::path out;      ///< empty: out/experiments/NAME, with a digest of the options that change the plan
 };
 
 class Session {
@@ -66,7 +68,9 @@ class Session {
   Condition condition_of(const Task& task) const;
   std::size_t turn_of(const Task& task) const;
   void prepare_conditions();
-  std::uint64_t origin_of(const Task& task) const;
+  Origin origin_of(const Task& task) const;
+  void require_unchanged_scripts() const;
+  void require_used_parameters(const std::set<std::string>& used) const;
 
   std::filesystem::path scripts_;
   Experiment experiment_;
@@ -74,8 +78,8 @@ class Session {
   std::vector<Task> tasks_;
   std::filesystem::path folder_;
   TaskResults results_;
-  std::uint64_t scripts_hash_ = 0;
-  std::vector<std::vector<std::uint64_t>> origins_;  ///< of each cell's conditions, one for each alternate
+  std::map<std::string, std::uint64_t> loaded_scripts_;  ///< digests, by name
+  std::vector<std::vector<Origin>> origins_;  ///< of each cell's conditions, one for each alternate; without the seed
   RoomCache rooms_;
 };
 

@@ -107,6 +107,29 @@ TrialResult result_from(const ordered_json& json) {
 
 std::string hexadecimal(std::uint64_t number) { return fmt::format("{:016x}", number); }
 
+/// The values that differ between the origin of a result in a file and the expected one, each with both values.
+std::string differences(const Origin& found, const Origin& expected) {
+  Origin all = found;
+  all.insert(expected.begin(), expected.end());
+  const auto value_in = [](const Origin& origin, const std::string& name) {
+    const auto value = origin.find(name);
+    return value == origin.end() ? "none" : value->second;
+  };
+  const auto shown = [](const std::string& value) {
+    constexpr std::size_t kLongest = 40;
+    return as_line(value.substr(0, kLongest));
+  };
+  constexpr std::size_t kMost = 3;
+  std::string list;
+  std::size_t count = 0;
+  for (const auto& [name, value] : all) {
+    const std::string there = value_in(found, name), here = value_in(expected, name);
+    if (there == here || ++count > kMost) continue;
+    list += fmt::format("{}{} ({} instead of {})", count > 1 ? ", " : "", as_line(name), shown(there), shown(here));
+  }
+  return count > kMost ? fmt::format("{} and {} more", list, count - kMost) : list;
+}
+
 /// Detects a flipped bit on the disk, after which a number would still look valid.
 std::string checksum(const ordered_json& result) { return hexadecimal(content_hash(result.dump())); }
 
@@ -114,16 +137,15 @@ std::string checksum(const ordered_json& result) { return hexadecimal(content_ha
 
 std::filesystem::path TaskResults::file_of(int task) const { return folder_ / fmt::format("{:06}.json", task); }
 
-void TaskResults::write(int task, std::uint64_t origin, const TrialResult& result) const {
+void TaskResults::write(int task, const Origin& origin, const TrialResult& result) const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);  // if that fails, writing reports it
   const ordered_json content = to_json(result);
-  const ordered_json json{
-      {"task", task}, {"origin", hexadecimal(origin)}, {"checksum", checksum(content)}, {"result", content}};
+  const ordered_json json{{"task", task}, {"origin", origin}, {"checksum", checksum(content)}, {"result", content}};
   write_whole_file(file_of(task), json.dump() + '\n');
 }
 
-std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) const {
+std::optional<TrialResult> TaskResults::read(int task, const Origin& origin) const {
   const std::filesystem::path file = file_of(task);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
@@ -137,11 +159,13 @@ std::optional<TrialResult> TaskResults::read(int task, std::uint64_t origin) con
     const ordered_json json = ordered_json::parse(text);
     if (json.at("checksum").get<std::string>() != checksum(json.at("result")))
       throw std::out_of_range("the checksum does not match");
-    if (json.at("task").get<int>() != task || json.at("origin").get<std::string>() != hexadecimal(origin))
-      throw std::runtime_error(
-          file.string() +
-          ": expected the result of this trial, found that of another (other scripts, files, parameters, options, or "
-          "another program); choose another --out, or remove the folder");
+    const auto found_task = json.at("task").get<int>();
+    const auto found = json.at("origin").get<Origin>();
+    if (found_task != task || found != origin)
+      throw std::runtime_error(as_line(
+          file.string() + ": expected the result of this trial, found that of another: " +
+          (found_task != task ? fmt::format("task {} instead of {}", found_task, task) : differences(found, origin)) +
+          "; choose another --out, or remove the folder"));
     return result_from(json.at("result"));
   } catch (const nlohmann::json::exception&) {
   } catch (const std::out_of_range&) {

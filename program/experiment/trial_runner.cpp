@@ -88,11 +88,15 @@ void require_state(const Condition& condition, const ScenarioHost& scenario) {
 
 }  // namespace
 
-Venue check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts) {
+LoadedFiles check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts) {
   if (condition.compasses) static_cast<void>(compass_parameters_of(condition));
-  if (const auto before = options_of_another_day(condition, seed, scripts)) Simulation::check(*before);
-  return Simulation::check(options_of(condition, seed, scripts),
-                           [&](const ScenarioHost& scenario) { require_state(condition, scenario); });
+  LoadedFiles before;
+  if (const auto day = options_of_another_day(condition, seed, scripts)) before = Simulation::check(*day);
+  LoadedFiles loaded = Simulation::check(options_of(condition, seed, scripts),
+                                         [&](const ScenarioHost& scenario) { require_state(condition, scenario); });
+  loaded.scripts.merge(before.scripts);
+  loaded.parameters.merge(before.parameters);
+  return loaded;
 }
 
 SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t seed,

@@ -7,7 +7,7 @@
 
 #include "program/robots.h"
 #include "program/run/run_options.h"
-#include "program/run/venue.h"
+#include "program/run/simulation.h"
 #include "workbench/experiments/condition/condition.h"
 #include "workbench/experiments/peers/compass_methods.h"
 #include "workbench/experiments/trial/trial_result.h"
@@ -26,8 +26,8 @@ SimulationOptions prepared_options_of(const Condition& condition, std::uint64_t 
 CompassParameters compass_parameters_of(const Condition& condition);
 
 /// Call before many trials: throws std::runtime_error with one line about a mistake in the condition, with the line of
-/// the experiment if possible. Returns the venue.
-Venue check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
+/// the experiment if possible. Returns what the trial loads, also on another day before it.
+LoadedFiles check_trial(const Condition& condition, std::uint64_t seed, const std::filesystem::path& scripts);
 
 /// Returns the same result for the same condition and seed, independent of earlier trials. `rooms`: cache between
 /// trials. Throws std::runtime_error (of scripts: ScriptError) with one line.

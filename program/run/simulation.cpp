@@ -102,11 +102,16 @@ std::optional<SavedModel> model_to_begin_with(const SimulationOptions& options) 
   }
 }
 
-Venue Simulation::check(const SimulationOptions& options,
-                        const std::function<void(const ScenarioHost& scenario)>& more) {
+LoadedFiles Simulation::check(const SimulationOptions& options,
+                              const std::function<void(const ScenarioHost& scenario)>& more) {
   const Simulation simulation(options, nullptr, false);
   if (more) more(*simulation.scenario_);
-  return simulation.venue_;
+  LoadedFiles loaded{simulation.venue_, {}, {}};
+  const ScriptTexts texts = read_scripts(options.scripts);
+  for (const std::string& file : with_required(texts, simulation.files_))
+    loaded.scripts[file] = content_hash(texts.find(file)->text);
+  for (const Parameter& parameter : simulation.parameters()) loaded.parameters.insert(parameter.name);
+  return loaded;
 }
 
 Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool makes_robot)
@@ -138,9 +143,9 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   }
   modules.parameters = parameters();
   kept_parameters_ = kept_for_others(overrides, modules);
-  std::set<std::string> files = files_of(*engine_);
-  files.insert(scenario);
-  warn_of_former_fields(scripts, files);
+  files_ = files_of(*engine_);
+  files_.insert(scenario);
+  warn_of_former_fields(scripts, files_);
 }
 
 RunParts Simulation::parts() {

@@ -2,9 +2,13 @@
 // A scenario with its robot, ready to run.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "engine/frame.h"
@@ -17,6 +21,13 @@
 
 namespace reorient {
 
+/// What a simulation uses besides the values of its options.
+struct LoadedFiles {
+  Venue venue;
+  std::map<std::string, std::uint64_t> scripts;  ///< digests of the loaded scripts, by their names
+  std::set<std::string> parameters;              ///< names of the parameters of these scripts and of the robot
+};
+
 class Simulation {
  public:
   /// `rooms`: cache for the next simulations. Throws std::runtime_error (of scripts: ScriptError) with one
@@ -27,9 +38,9 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Throws what a simulation would throw, except for mistakes in its room, which takes a while to create. Use it
-  /// before many simulations. Returns the venue.
-  static Venue check(const SimulationOptions& options,
-                     const std::function<void(const ScenarioHost& scenario)>& more = {});
+  /// before many simulations.
+  static LoadedFiles check(const SimulationOptions& options,
+                           const std::function<void(const ScenarioHost& scenario)>& more = {});
 
   /// For a RunLoop, to which observers and sources are added.
   RunParts parts();
@@ -48,6 +59,7 @@ class Simulation {
   Simulation(const SimulationOptions& options, RoomCache* rooms, bool makes_robot);
 
   RecordedBehaviors behaviors_;
+  std::set<std::string> files_;  ///< scenario and behaviors
   std::unique_ptr<ScenarioHost> scenario_;
   Venue venue_;
   RobotInstance robot_;

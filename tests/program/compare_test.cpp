@@ -92,6 +92,12 @@ TEST_F(CompareTest, ComparesChoicesOfAnAxisWithinOneTable) {
                  "--axis: unknown axis 'mod' (did you mean 'mode'?)");
   expect_refused({before, "--axis", "mode", "--from", "papr", "--to", "default"},
                  "axis 'mode': unknown choice 'papr' (did you mean 'paper'?)");
+  expect_refused({before, "--axis", "light", "--from", "paper", "--to", "default"},
+                 "--axis: unknown axis 'light' (expected mode)");
+  expect_refused({before, "--axis", "mode", "--from", "paper", "--to", "shipped"},
+                 "axis 'mode': unknown choice 'shipped' (expected default, paper)");
+  expect_refused({before, "--axis", "mode", "--from", "paper", "--to", "paper"},
+                 "--from and --to: expected two different choices, found 'paper' twice");
   expect_refused({before, "--axis", "mode"}, "--axis: expected together with --from, found alone");
   expect_refused({before, before, "--axis", "mode", "--from", "paper", "--to", "default"}, "expected two tables, or");
   expect_refused({before}, "expected two tables, or one with --axis");
@@ -114,6 +120,15 @@ TEST_F(CompareTest, PairsRowsInAnyOrderOfTheirAxes) {
   const ProgramRun done = compare({one, two});
   EXPECT_EQ(done.code, kSuccess) << done.err;
   EXPECT_NE(done.out.find("+0.0 [+0.0, +0.0]"), std::string::npos) << done.out;
+}
+
+TEST_F(CompareTest, PrintsNoIntervalOfOnePair) {
+  const std::string one = table("one", "[" + row(kDefault, outcome(1, "2.0")) + "]");
+  const std::string two = table("two", "[" + row(kDefault, outcome(1, "2.5")) + "]");
+  const ProgramRun done = compare({one, two});
+  EXPECT_EQ(done.code, kSuccess) << done.err;
+  EXPECT_NE(done.out.find(" +0.5 "), std::string::npos) << done.out;
+  EXPECT_EQ(done.out.find("+0.5 ["), std::string::npos) << done.out;
 }
 
 TEST_F(CompareTest, RefusesInvalidTables) {
@@ -158,6 +173,11 @@ TEST_F(CompareTest, RefusesInvalidTables) {
   expect_refused({before, (folder.path() / "gone.json").string()},
                  "gone.json: expected a file that 'experiment --json' wrote, found none");
   expect_refused({folder.path().string(), before}, ": expected a file that 'experiment --json' wrote, found a folder");
+  const std::filesystem::path sparse = folder.write("sparse.json", "[");
+  std::filesystem::resize_file(sparse, std::uintmax_t{20} << 30);
+  expect_refused({before, sparse.string()},
+                 "sparse.json: expected a file that 'experiment --json' wrote of at most 512 MiB, found a larger one "
+                 "(20480 MiB)");
   expect_refused({before, ""}, "second");
 }
 

@@ -57,8 +57,9 @@ TEST(TaskResultsTest, AreReadAsWrittenInEachValue) {
   written.confidences.push_back({0.5, 0.25, 0.75, -3.5, RoomStatus::usable, true, false});
   visit_named_errors(Unusual(), written.pose_errors.emplace());
   written.pose_errors->recoveries.push_back({std::nullopt, 2.5});
-  results.write(1, 0x1234, written);
-  const TrialResult read = results.read(1, 0x1234).value();
+  const Origin origin{{"seed", "3"}};
+  results.write(1, origin, written);
+  const TrialResult read = results.read(1, origin).value();
   EXPECT_EQ(read.seed, written.seed);
   EXPECT_EQ(read.started, written.started);
   EXPECT_EQ(read.seconds, written.seconds);
@@ -113,16 +114,16 @@ hold = 0.5
 }
 
 TEST(TaskResultsTest, WithAFlippedBitOrWithoutTheEndAreRefused) {
-  constexpr std::uint64_t kOrigin = 0x1234;
+  const Origin origin{{"seed", "3"}, {"script lib/walk.lua", "0123456789abcdef"}};
   const TemporaryFolder folder;
   const TaskResults results(folder.path());
-  results.write(1, kOrigin, some_result());
-  ASSERT_EQ(results.read(1, kOrigin)->seconds, 61.25);
+  results.write(1, origin, some_result());
+  ASSERT_EQ(results.read(1, origin)->seconds, 61.25);
   const std::string whole = read_text(results.file_of(1));
   const auto expect_refused = [&](const std::string& damaged, std::size_t where) {
     std::ofstream(results.file_of(1), std::ios::binary) << damaged;
     try {
-      results.read(1, kOrigin);
+      results.read(1, origin);
       ADD_FAILURE() << "accepted at byte " << where << ": " << damaged;
     } catch (const std::runtime_error& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with(results.file_of(1).string() + ": ")) << error.what();
@@ -146,6 +147,39 @@ TEST_F(ResultsTest, OfAnotherTaskAreRefusedAndNotChanged) {
   std::filesystem::remove(result("out", 3));
   std::filesystem::create_directory(result("out", 3));
   expect_refused({"--out", path("out"), "--resume"}, "000003.json: expected the result of a trial, found a folder");
+  std::filesystem::remove(result("out", 3));
+  std::filesystem::resize_file(folder.write("out/tasks/000003.json", "{"), std::uintmax_t{20} << 30);
+  expect_refused({"--out", path("out"), "--resume"},
+                 "000003.json: expected the result of a trial of at most 64 MiB, found a larger one (20480 MiB)");
+}
+
+TEST(TaskResultsTest, OfAnotherTrialAreRefusedWithTheDifferences) {
+  const TemporaryFolder folder;
+  const TaskResults results(folder.path());
+  const Origin origin{{"seed", "3"}, {"width", "160"}, {"a", "1"}, {"b", "1"}, {"c", "1"}};
+  results.write(1, origin, some_result());
+  const auto refusal = [&](const Origin& expected) {
+    try {
+      results.read(1, expected);
+      return std::string("accepted");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string begin =
+      results.file_of(1).string() + ": expected the result of this trial, found that of another: ";
+  const std::string end = "; choose another --out, or remove the folder";
+  Origin other = origin;
+  other["seed"] = "4";
+  other.erase("width");
+  other["room\n\x1b"] = "hall";
+  EXPECT_EQ(refusal(other), begin +
+                                "room \\x1B (none instead of hall), seed (3 instead of 4), width (160 instead "
+                                "of none)" +
+                                end);
+  for (const char* name : {"a", "b", "c"}) other[name] = "2";
+  EXPECT_EQ(refusal(other), begin + "a (1 instead of 2), b (1 instead of 2), c (1 instead of 2) and 3 more" + end);
+  EXPECT_EQ(refusal(origin), "accepted");
 }
 
 TEST_F(ResultsTest, OfOtherScriptsAreRefused) {
@@ -153,8 +187,19 @@ TEST_F(ResultsTest, OfOtherScriptsAreRefused) {
   const std::vector<std::string> one_task{"--scripts", scripts, "--out", path("out"), "--task", "1"};
   ASSERT_EQ(run(one_task).code, kSuccess);
   EXPECT_EQ(run(one_task).code, kSuccess);
-  folder.write("scripts/lib/of_our_own.lua", "return {}");
-  expect_refused(one_task, "000001.json: expected the result of this trial, found that of another (other scripts, ");
+  // Files that the trial does not load.
+  for (const char* unused : {"lib/of_our_own.lua", "scenarios/of_our_own.lua", "behaviors/of_our_own.lua"})
+    folder.write(std::string("scripts/") + unused, "return {}");
+  EXPECT_EQ(run(one_task).code, kSuccess);
+  // The scenario, a behavior, and a library that they require.
+  for (const char* used : {"scenarios/mirrored_placement.lua", "behaviors/orientation.lua", "lib/decision.lua"}) {
+    const std::string script = std::string("scripts/") + used, before = read_text(path(script));
+    folder.write(script, before + "\n-- edited");
+    expect_refused(one_task, "000001.json: expected the result of this trial, found that of another: script " +
+                                 std::string(used) + " (");
+    folder.write(script, before);
+  }
+  EXPECT_EQ(run(one_task).code, kSuccess);
 }
 
 TEST_F(ResultsTest, OfAnotherRoomOrFieldOfTheSameNameAreRefused) {
@@ -183,7 +228,15 @@ TEST_F(ResultsTest, AreNotMixedFromScriptsThatChanged) {
   Session session(options);
   session.run(1);
   folder.write("scripts/lib/of_our_own.lua", "return {}");
-  EXPECT_THROW(session.run(2), std::runtime_error);
+  session.run(3);
+  const std::string script = "scripts/behaviors/orientation.lua";
+  folder.write(script, read_text(path(script)) + "\n-- edited");
+  try {
+    session.run(2);
+    ADD_FAILURE() << "mixed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), path(script) + ": expected an unchanged script during the experiment, found changes");
+  }
   EXPECT_TRUE(session.result(1));
   EXPECT_FALSE(session.result(2));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `reorient experiment`, as a user, a shell and a cluster call it.
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/random.h"
+#include "program/experiment/session.h"
 #include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/short_experiment.h"
@@ -62,14 +65,74 @@ TEST_F(ExperimentTest, RunsNoTaskTwice) {
 
 TEST_F(ExperimentTest, DoesNotMixTwoRuns) {
   table("out", {"--trials", "1"});
-  expect_refused({"--out", path("out"), "--trials", "1"}, "contains 2 of 2 results already; --resume continues");
+  expect_refused({"--out", path("out"), "--trials", "1"},
+                 "contains 2 of 2 results already; --resume prints them, another --out starts again");
   expect_refused({"--out", path("out"), "--trials", "1", "--seed", "9", "--resume"},
-                 "expected the result of this trial, found that of another");
+                 "expected the result of this trial, found that of another: seed (1 instead of 9);");
   expect_refused({"--out", path("out"), "--trials", "1", "--set", "orientation.lingering=0.3", "--resume"},
-                 "expected the result of this trial, found that of another");
+                 "expected the result of this trial, found that of another: orientation.lingering (none instead of "
+                 "0.3);");
   folder.write("out/tasks/000001.json", "{\"task\": 1");
   expect_refused({"--out", path("out"), "--trials", "1", "--resume"},
                  "000001.json: expected the result of a task, found other or damaged content");
+}
+
+TEST_F(ExperimentTest, HasAFolderForEachPlan) {
+  struct Plan {
+    std::uint64_t seed = 1;
+    std::vector<std::string> rooms{}, only{}, set{};
+  };
+  const auto folder_of = [&](const Plan& plan) {
+    SessionOptions options;
+    options.experiment = file.string();
+    options.seed = plan.seed;
+    options.rooms = plan.rooms;
+    options.only = plan.only;
+    options.parameters.assignments = plan.set;
+    return Session(options).folder().string();
+  };
+  EXPECT_EQ(folder_of({}), "out/experiments/short");
+  std::set<std::string> folders{folder_of({})};
+  const Plan plans[] = {{.seed = 9},
+                        {.rooms = {"hall"}},
+                        {.only = {"mode=default"}},
+                        {.only = {"mode=none"}},
+                        {.only = {"mode=default", "mode=none"}},
+                        {.set = {"orientation.lingering=0.3"}},
+                        {.set = {"orientation.lingering=0.4"}}};
+  for (const Plan& plan : plans) {
+    const std::string name = folder_of(plan);
+    EXPECT_TRUE(name.starts_with("out/experiments/short-")) << name;
+    EXPECT_TRUE(folders.insert(name).second) << name;
+    EXPECT_EQ(folder_of(plan), name) << "--resume finds it";
+  }
+}
+
+TEST_F(ExperimentTest, RefusesAnAxisWithoutEffect) {
+  const std::string axis =
+      "[[axis]]\nname = \"width\"\n[[axis.choice]]\nname = \"narrow\"\n"
+      "without = [\"head_scan\"]\nparameters.head_scan.width = 0.5\n"
+      "[[axis.choice]]\nname = \"usual\"\n";
+  folder.write("short.toml", kShort + axis + "without = [\"head_scan\"]\n");
+  expect_refused({"--out", path("out")},
+                 "short.toml:22: expected a parameter of a script that a cell of the "
+                 "experiment loads, found 'head_scan.width'");
+  // Another cell loads it.
+  folder.write("short.toml", kShort + axis);
+  const ProgramRun plan = run({"--out", path("out"), "--plan"});
+  EXPECT_EQ(plan.code, kSuccess) << plan.err;
+}
+
+TEST_F(ExperimentTest, DoesNotSetAParameterThatAnAxisSets) {
+  folder.write("short.toml", kShort + "parameters.orientation.lingering = 0.5\n");
+  expect_refused({"--out", path("out"), "--set", "orientation.lingering=0.3"},
+                 "--set: expected a parameter that no axis sets, found 'orientation.lingering', which axis 'mode' sets "
+                 "at " +
+                     path("short.toml") + ":17; choose its value with --only mode=CHOICE");
+  const std::string tuned = folder.write("tuned.toml", "\norientation.lingering = 0.3\n").string();
+  expect_refused({"--out", path("out"), "--params", tuned}, tuned + ":2: expected a parameter that no axis sets");
+  EXPECT_EQ(run({"--out", path("out"), "--set", "orientation.lingering=0.3", "--only", "mode=default", "--plan"}).code,
+            kSuccess);
 }
 
 TEST_F(ExperimentTest, RunsPartOfItsTasks) {

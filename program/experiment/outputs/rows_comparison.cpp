@@ -61,6 +61,7 @@ std::string failed_text(int failed, int disturbed) {
 
 std::string difference_text(const PairedComparison& comparison) {
   if (!comparison.median_difference) return "-";
+  if (!comparison.interval) return fmt::format("{:+.1f}", *comparison.median_difference);
   return fmt::format("{:+.1f} [{:+.1f}, {:+.1f}]", *comparison.median_difference, comparison.interval->low,
                      comparison.interval->high);
 }
@@ -85,7 +86,12 @@ std::vector<std::string> cells_of(const RowPair& pair, const PairedComparison& c
           rate_text(pair.second)};
 }
 
-std::vector<std::string> listed(const std::set<std::string>& names) { return {names.begin(), names.end()}; }
+/// " (did you mean 'hard'?)", or all names if none is similar.
+std::string hint_at(const std::string& wanted, const std::set<std::string>& known) {
+  const std::vector<std::string> names(known.begin(), known.end());
+  const std::string hint = did_you_mean(wanted, names);
+  return as_line(hint.empty() ? " (expected " + list_of(names) + ")" : hint);
+}
 
 }  // namespace
 
@@ -99,6 +105,8 @@ PairedRows pair_rows(std::pair<std::string, std::vector<StoredRow>> first,
 
 PairedRows pair_choices(const std::vector<StoredRow>& rows, const std::string& axis, const std::string& from,
                         const std::string& to) {
+  if (from == to)
+    throw std::runtime_error("--from and --to: expected two different choices, found '" + as_line(from) + "' twice");
   std::set<std::string> axes, choices;
   for (const StoredRow& row : rows) {
     for (const auto& [name, choice] : row.choices) {
@@ -106,12 +114,11 @@ PairedRows pair_choices(const std::vector<StoredRow>& rows, const std::string& a
       if (name == axis) choices.insert(choice);
     }
   }
-  if (choices.empty())
-    throw std::runtime_error("--axis: unknown axis '" + as_line(axis) + "'" + did_you_mean(axis, listed(axes)));
+  if (choices.empty()) throw std::runtime_error("--axis: unknown axis '" + as_line(axis) + "'" + hint_at(axis, axes));
   const auto chosen = [&](const std::string& wanted) {
     if (!choices.contains(wanted))
       throw std::runtime_error("axis '" + as_line(axis) + "': unknown choice '" + as_line(wanted) + "'" +
-                               did_you_mean(wanted, listed(choices)));
+                               hint_at(wanted, choices));
     std::vector<StoredRow> some;
     for (const StoredRow& row : rows) {
       if (std::find(row.choices.begin(), row.choices.end(), std::pair(axis, wanted)) != row.choices.end())

@@ -32,6 +32,7 @@ std::string percent(double value) { return fmt::format("{:.1f}", 100.0 * value);
 
 std::string mean_text(const TimeRow& row) {
   if (!row.mean) return "-";
+  if (!row.interval) return fmt::format("{:.1f}", *row.mean);
   return fmt::format("{:.1f} [{:.1f}, {:.1f}]", *row.mean, row.interval->low, row.interval->high);
 }
 

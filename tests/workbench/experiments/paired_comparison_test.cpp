@@ -57,6 +57,12 @@ TEST(PairedComparison, ReportsAConstantDelayWithAnIntervalOfZeroWidth) {
   EXPECT_NEAR(comparison.times_p, 2.0 / 256.0, 1e-12);
 }
 
+TEST(PairedComparison, OfOnePairHasNoInterval) {
+  const PairedComparison comparison = compare_pairs({came_right(1, 2.0)}, {came_right(1, 2.5)});
+  EXPECT_EQ(comparison.median_difference, 0.5);
+  EXPECT_FALSE(comparison.interval);
+}
+
 TEST(PairedComparison, WithoutTrialsHasNoValues) {
   const PairedComparison comparison = compare_pairs({}, {});
   EXPECT_EQ(comparison.pairs, 0);

@@ -72,6 +72,9 @@ TEST(Row, ReportsTheTimesOfTrialsThatDidNotFail) {
   EXPECT_EQ(row.by_command.mean, 2.0);
   ASSERT_TRUE(row.right.interval);
   EXPECT_GE(row.right.interval->low, 3.0);
+  const Row one = row_of({corrected(3.0), failed()});
+  EXPECT_EQ(one.right.mean, 3.0);
+  EXPECT_FALSE(one.right.interval) << "one trial shows nothing of the spread";
 }
 
 TEST(Row, CountsAFailedTrialAsLaterThanAllOthersInItsQuantiles) {

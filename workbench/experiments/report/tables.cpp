@@ -53,7 +53,7 @@ std::string share_text(int part, int whole) {
 }
 
 std::string mean_and_interval(const TimeRow& row) {
-  return row.mean ? fixed(row.mean, 1) + " " + fixed(*row.interval, 1) : fixed(std::nullopt, 1);
+  return fixed(row.mean, 1) + (row.interval ? " " + fixed(*row.interval, 1) : "");
 }
 
 /// The text of a quantile; with too many failed trials it is later than the limit.
@@ -95,6 +95,9 @@ std::vector<std::string> numbers_beside(const Row& row) {
 
 std::vector<std::string> numbers_of(const PairedComparison& comparison) {
   const bool has_times = comparison.median_difference.has_value();
+  const std::string interval = comparison.interval ? " [" + with_sign(comparison.interval->low, 1) + ", " +
+                                                         with_sign(comparison.interval->high, 1) + "]"
+                                                   : "";
   return {std::to_string(comparison.disturbed),
           std::to_string(comparison.failed_first),
           std::to_string(comparison.failed_second),
@@ -102,9 +105,7 @@ std::vector<std::string> numbers_of(const PairedComparison& comparison) {
           std::to_string(comparison.only_second_failed),
           comparison.disturbed == 0 ? fixed(std::nullopt, 0) : p_value(comparison.failed_p),
           std::to_string(comparison.timed),
-          has_times ? with_sign(*comparison.median_difference, 1) + " [" + with_sign(comparison.interval->low, 1) +
-                          ", " + with_sign(comparison.interval->high, 1) + "]"
-                    : fixed(std::nullopt, 0),
+          has_times ? with_sign(*comparison.median_difference, 1) + interval : fixed(std::nullopt, 0),
           has_times ? p_value(comparison.times_p) : fixed(std::nullopt, 0)};
 }
 

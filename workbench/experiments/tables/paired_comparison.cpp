@@ -36,7 +36,7 @@ PairedComparison compare_pairs(const std::vector<Outcome>& first, const std::vec
   comparison.timed = static_cast<int>(times.size());
   if (differences.empty()) return comparison;
   comparison.median_difference = quantile(differences, 0.5);
-  comparison.interval = bootstrap_median_interval(differences);
+  if (differences.size() > 1) comparison.interval = bootstrap_median_interval(differences);
   return comparison;
 }
 

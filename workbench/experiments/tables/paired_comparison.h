@@ -25,7 +25,7 @@ struct PairedComparison {
   // Of those in which both beliefs were corrected: time until the belief is right, second minus first, s.
   int timed = 0;
   std::optional<double> median_difference;
-  std::optional<Interval> interval;  ///< of that median, by bootstrap
+  std::optional<Interval> interval;  ///< of that median, by bootstrap; empty with fewer than two pairs
   double times_p = 1.0;              ///< Wilcoxon's test
 };
 

@@ -13,6 +13,7 @@ namespace {
 
 TimeRow time_row(const std::vector<double>& times) {
   if (times.empty()) return {};
+  if (times.size() == 1) return {times.front(), std::nullopt};  // one trial shows nothing of the spread
   return {mean(times), bootstrap_interval(times)};
 }
 

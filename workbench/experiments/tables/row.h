@@ -16,7 +16,7 @@ namespace reorient {
 /// Statistics of times, in s; nothing without times.
 struct TimeRow {
   std::optional<double> mean;
-  std::optional<Interval> interval;  ///< of the mean, by bootstrap
+  std::optional<Interval> interval;  ///< of the mean, by bootstrap; empty with fewer than two trials
 };
 
 /// Trials whose belief was wrong when their clock started show how it is corrected; the others show whether a right
