@@ -2,6 +2,7 @@
 #include "perception/room/model_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -59,7 +60,33 @@ TileModel merged(const TileModel& a, const TileModel& b) {
   return tile;
 }
 
+/// Mean difference between tiles of one row that are at least a sixteenth of the wall apart.
+std::optional<double> difference_of_parts(const SavedModel& model, const Wall& wall) {
+  const int columns = wall.columns(), least = std::max(1, columns / 16);
+  double sum = 0.0;
+  int count = 0;
+  for (int row = 0; row < wall.rows(); ++row) {
+    for (int one = 0; one < columns; ++one) {
+      const TileModel& a = model.model[wall.tile(row, one)];
+      if (!is_known(a)) continue;
+      for (int apart = least; apart <= columns - least; ++apart) {
+        const TileModel& b = model.model[wall.tile(row, (one + apart) % columns)];
+        if (!is_known(b)) continue;
+        sum += difference(a, b);
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
 }  // namespace
+
+bool ModelComparison::is_of_one_room() const {
+  constexpr double kSameRoom = 0.78;  // of the spread: between the largest of one room and the smallest of two
+  if (!mean || !spread) return false;
+  return std::min(*mean, sides ? sides->turned : *mean) < kSameRoom * *spread;
+}
 
 ModelComparison compare(const SavedModel& first, const SavedModel& second) {
   const Wall wall(first.basis.wall);
@@ -83,6 +110,9 @@ ModelComparison compare(const SavedModel& first, const SavedModel& second) {
   std::stable_sort(result.tiles.begin(), result.tiles.end(),
                    [](const TileDifference& a, const TileDifference& b) { return a.distance > b.distance; });
   if (!result.tiles.empty()) result.mean = sum / static_cast<double>(result.tiles.size());
+  const std::optional<double> in_first = difference_of_parts(first, wall),
+                              in_second = difference_of_parts(second, wall);
+  if (in_first && in_second) result.spread = std::sqrt(*in_first * *in_second);
   if (on_both_sides > 0) result.sides = {sides.as_it_is / on_both_sides, sides.turned / on_both_sides};
   return result;
 }

@@ -30,9 +30,17 @@ struct ModelComparison {
   };
   std::optional<Sides> sides;
 
+  /// Mean difference between different parts of one room, as the two models know them (their geometric mean). Two
+  /// models of different rooms differ as much. Empty if a model knows too little.
+  std::optional<double> spread;
+
+  /// Whether both models show one room, in either direction. In ten real rooms and three simulated halls, in two
+  /// lights, the difference between models of one room was 0.2 to 0.57 of the spread, or up to 0.75 if one was learned
+  /// for 12 s only. Between models of two rooms it was at least 0.84.
+  bool is_of_one_room() const;
   /// Whether the second model matches the first one after a rotation by 180 degrees.
   bool is_turned() const { return sides && is_clear(sides->turned, sides->as_it_is); }
-  /// Whether the second model matches the first one without rotation. For two different rooms, both are false.
+  /// Whether the second model matches the first one without rotation. For two different rooms, either may be true.
   bool is_same_way() const { return sides && is_clear(sides->as_it_is, sides->turned); }
 
  private:

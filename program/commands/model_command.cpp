@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -53,6 +56,30 @@ std::string time_of(const std::filesystem::path& file) {
   return fmt::format(", saved {:%Y-%m-%d %H:%M}", fmt::localtime(status.st_mtime));
 }
 
+/// A file of another type stays: probably its name is a mistake.
+void require_new_or(const std::string& what, bool is_one, const std::filesystem::path& file,
+                    const std::string& option) {
+  std::error_code error;
+  if (is_one || !std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) == 0) return;
+  throw std::runtime_error(option + " " + file.string() + ": expected a new file or " + what +
+                           ", found another file, which was not changed; name another one");
+}
+
+bool is_png(const std::filesystem::path& file) {
+  constexpr std::string_view kBegin = "\x89PNG";
+  std::string begin(kBegin.size(), '\0');
+  return std::ifstream(file, std::ios::binary).read(begin.data(), std::ssize(begin)) && begin == kBegin;
+}
+
+bool is_model(const std::filesystem::path& file) {
+  try {
+    read_model_file(file);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 int show_model(const ModelOptions& options, std::ostream& out) {
   if (options.file.empty())
     throw std::runtime_error(
@@ -60,6 +87,7 @@ int show_model(const ModelOptions& options, std::ostream& out) {
   NamedFiles files;
   files.reads(options.file, "the model");
   files.require_writable(options.picture, "--picture");
+  require_new_or("a PNG picture", is_png(options.picture), options.picture, "--picture");
   const SavedModel model = read_named(options.file);
   out << as_line(options.file.string()) << time_of(options.file) << "\n";
   print_model(model, out);
@@ -94,7 +122,8 @@ int compare_models(const ModelOptions& options, std::ostream& out) {
   const ModelComparison comparison = compare(two.first, two.second);
   out << "A: " << as_line(options.first.string()) << "\nB: " << as_line(options.second.string()) << "\n";
   print_comparison(comparison, Wall(two.first.basis.wall), out);
-  return comparison.is_turned() ? kWrong : kSuccess;
+  const bool is_known = comparison.mean.has_value();
+  return is_known && (!comparison.is_of_one_room() || comparison.is_turned()) ? kWrong : kSuccess;
 }
 
 bool is_same(const SavedModel& one, const SavedModel& other) {
@@ -114,6 +143,12 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
                              options.second.string() + "; name two models");
   if (options.sides_changed) two.second.rotate_by_180_degrees();
   const ModelComparison comparison = compare(two.first, two.second);
+  if (comparison.mean && comparison.spread && !comparison.is_of_one_room()) {
+    throw std::runtime_error(fmt::format(
+        "{} and {}: expected models of the same room, found a mean difference of {:.2f}, as between different parts of "
+        "one room ({:.2f}); see 'reorient model compare'",
+        options.second.string(), options.first.string(), *comparison.mean, *comparison.spread));
+  }
   if (comparison.is_turned()) {
     throw std::runtime_error(fmt::format(
         "{} looks like {} rotated by 180 degrees ({:.2f} against {:.2f} unrotated): {} --sides-changed",
@@ -128,6 +163,7 @@ int merge_models(const ModelOptions& options, std::ostream& out) {
         options.first.string(), options.second.string()));
   }
   require_writable_file(options.out, "--out");
+  require_new_or("a model", is_model(options.out), options.out, "--out");
   const SavedModel both = merged(two.first, two.second);
   write_model_file(both, options.out);
   out << as_line(options.out.string()) << "\n";
@@ -163,7 +199,7 @@ Subcommand add_model(CLI::App& program) {
       ->check(check_not_empty);
   CLI::App* const comparing =
       parser->add_subcommand("compare", "show where two models differ, and whether one is rotated");
-  set_examples(*comparing, {{"reorient model compare a.model b.model", "exit code 1: one of them is rotated"},
+  set_examples(*comparing, {{"reorient model compare a.model b.model", "exit code 1: another room, or rotated"},
                             {"reorient model compare monday.model tuesday.model", "the same room on two days"}});
   add_two_models(*comparing, *options);
   CLI::App* const merging = parser->add_subcommand("merge", "merge the models of two robots into one");

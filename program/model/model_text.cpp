@@ -84,7 +84,7 @@ void print_comparison(const ModelComparison& comparison, const Wall& wall, std::
   out << fmt::format("both know {}; only A {}, only B {}\n", counted(comparison.tiles.size(), "tile"),
                      comparison.only_first, comparison.only_second);
   if (!comparison.mean) {
-    out << "nothing can be compared\n";
+    out << "verdict: nothing can be compared\n";
     return;
   }
   out << fmt::format("mean difference {:.2f} (Hellinger distance of the colors, 0 to 1)\n", *comparison.mean);
@@ -92,10 +92,11 @@ void print_comparison(const ModelComparison& comparison, const Wall& wall, std::
     out << fmt::format("over the tiles known on both sides: {:.2f} unrotated, {:.2f} with B rotated by 180 degrees\n",
                        comparison.sides->as_it_is, comparison.sides->turned);
   }
-  out << (comparison.is_turned() ? "B looks like A rotated by 180 degrees: the teams changed sides\n"
-          : comparison.is_same_way()
-              ? "both are seen from the same end of the field\n"
-              : "cannot tell that both are of the same room, seen from the same end of the field\n");
+  if (comparison.spread) out << fmt::format("different parts of one room differ by {:.2f}\n", *comparison.spread);
+  out << (!comparison.is_of_one_room() ? "verdict: they are not of the same room, or one of them is wrong\n"
+          : comparison.is_turned()     ? "verdict: B looks like A rotated by 180 degrees: the teams changed sides\n"
+          : comparison.is_same_way()   ? "verdict: the same room, seen from the same end of the field\n"
+                                       : "verdict: the same room, but it is not clear from which end of the field\n");
   constexpr double kShownDifference = 0.005;  // not 0.00 when rounded
   std::size_t shown = 0;
   while (shown < std::min(kShown, comparison.tiles.size()) && comparison.tiles[shown].distance >= kShownDifference)

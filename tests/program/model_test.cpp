@@ -118,8 +118,8 @@ TEST_F(RunWithAModel, RefusesAModelWithOtherParameters) {
 TEST_F(RunWithAModel, RefusesWhatIsNotAFile) {
   std::filesystem::create_directory(folder.path() / "folder");
   mkfifo((folder.path() / "pipe").c_str(), 0600);
-  for (const auto& [name, complaint] : {std::pair("folder", ", found a folder"),
-                                        {"pipe", "expected a model of a room, found another type of file"}}) {
+  for (const auto& [name, complaint] :
+       {std::pair("folder", ", found a folder"), {"pipe", "expected a model of a room, found another type of file"}}) {
     const ProgramRun refused = run_shortly({"--model", (folder.path() / name).string()});
     EXPECT_EQ(refused.code, kBadInput);
     EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
@@ -141,7 +141,9 @@ TEST_F(RunWithAModel, RefusesAnUnreadableModel) {
   const int code = run.wait();
   if (code == kCannot) GTEST_SKIP() << "this user cannot run a program as a user with fewer permissions";
   EXPECT_EQ(code, kBadInput);
-  EXPECT_NE(run.err().find("found one that cannot be read: Permission denied; it was not changed"), std::string::npos)
+  EXPECT_NE(run.err().find(
+                "expected a model of a room, found one that cannot be read: Permission denied; it was not changed"),
+            std::string::npos)
       << run.err();
 }
 
@@ -311,10 +313,28 @@ TEST_F(ModelCommand, ReportsWhereTwoModelsDifferAndWhetherOneIsRotated) {
   const ProgramRun same = model({"compare", one, other});
   EXPECT_EQ(same.code, kSuccess) << same.err;
   EXPECT_TRUE(same.out.starts_with("A: " + one + "\nB: " + other + "\nboth know 192 tiles; only A 0, only B 0\n"));
-  EXPECT_NE(same.out.find("both are seen from the same end of the field\n"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("verdict: the same room, seen from the same end of the field\n"), std::string::npos)
+      << same.out;
   const ProgramRun different = model({"compare", one, turned});
   EXPECT_EQ(different.code, kWrong);
   EXPECT_NE(different.out.find("B looks like A rotated by 180 degrees"), std::string::npos) << different.out;
+  const ProgramRun hall = model({"compare", one, file_of(some_model(2), "hall")});
+  EXPECT_EQ(hall.code, kWrong);
+  EXPECT_NE(hall.out.find("verdict: they are not of the same room"), std::string::npos) << hall.out;
+}
+
+TEST_F(ModelCommand, DoesNotReplaceAFileOfAnotherType) {
+  const std::string one = file_of(some_model(1, 0), "one"), other = file_of(some_model(1, 1), "other");
+  const std::string notes = folder.write("notes.txt", "mine").string();
+  expect_bad(
+      {one, "--picture", notes},
+      "--picture " + notes + ": expected a new file or a PNG picture, found another file, which was not changed");
+  expect_bad({"merge", one, other, "--out", notes},
+             "--out " + notes + ": expected a new file or a model, found another file, which was not changed");
+  EXPECT_EQ(read_text(notes), "mine");
+  const std::string picture = (folder.path() / "one.png").string(), both = file_of(some_model(3), "both");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(model({one, "--picture", picture}).code, kSuccess);
+  EXPECT_EQ(model({"merge", one, other, "--out", both}).code, kSuccess);
 }
 
 TEST_F(ModelCommand, MergesTwoModelsUnlessOneIsRotated) {
@@ -329,7 +349,7 @@ TEST_F(ModelCommand, MergesTwoModelsUnlessOneIsRotated) {
   expect_bad({"merge", one, turned, "--out", both}, "the teams changed sides; merge them with --sides-changed");
   expect_bad({"merge", one, other, "--out", both, "--sides-changed"}, "leave out --sides-changed");
   expect_bad({"merge", one, file_of(some_model(2), "hall"), "--out", both},
-             ": expected models of the same room from the same end of the field");
+             ": expected models of the same room, found a mean difference of ");
   EXPECT_EQ(read_text(both), merged_bytes);
   EXPECT_EQ(model({"merge", one, turned, "--out", both, "--sides-changed"}).code, kSuccess);
   EXPECT_EQ(read_text(both), merged_bytes);

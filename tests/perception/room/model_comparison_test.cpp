@@ -49,6 +49,19 @@ RC_GTEST_PROP(ModelComparison, RecognizesTheSameRoomOnAnotherDayRotatedOrNot, ()
   RC_ASSERT(compare(first, second).is_turned() && !compare(first, second).is_same_way());
 }
 
+RC_GTEST_PROP(ModelComparison, RecognizesOneRoomInEitherDirectionAndTwoRooms, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const int known = *rc::gen::inRange(24, 49);
+  const SavedModel first = some_model(seed, 0);
+  SavedModel second = some_model(seed, 1, 0.2, 0, known), other = some_model(seed + 1, 1, 0.2, 0, known);
+  RC_ASSERT(compare(first, second).is_of_one_room() && compare(second, first).is_of_one_room());
+  RC_ASSERT(!compare(first, other).is_of_one_room() && !compare(other, first).is_of_one_room());
+  second.rotate_by_180_degrees();
+  other.rotate_by_180_degrees();
+  RC_ASSERT(compare(first, second).is_of_one_room());
+  RC_ASSERT(!compare(first, other).is_of_one_room());
+}
+
 TEST(ModelComparison, IsUndecidedWithoutEvidence) {
   const SavedModel symmetric = [] {
     SavedModel model = some_model(1);
@@ -62,10 +75,11 @@ TEST(ModelComparison, IsUndecidedWithoutEvidence) {
     return model;
   }();
   EXPECT_FALSE(compare(symmetric, symmetric).is_turned() || compare(symmetric, symmetric).is_same_way());
+  EXPECT_TRUE(compare(symmetric, symmetric).is_of_one_room());
 
   const SavedModel left = some_model(1, 0, 0.1, 0, 20), right = some_model(1, 0, 0.1, 24, 20);
   const ModelComparison apart = compare(left, right);
-  EXPECT_FALSE(apart.mean || apart.sides || apart.is_turned() || apart.is_same_way());
+  EXPECT_FALSE(apart.mean || apart.sides || apart.is_turned() || apart.is_same_way() || apart.is_of_one_room());
   EXPECT_EQ(apart.only_first, 80);
   EXPECT_EQ(apart.only_second, 80);
 
