@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/frame.h"
+#include "program/experiment/compass_parameters.h"
 #include "program/robots.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
@@ -33,6 +34,7 @@ std::vector<Parameter> all_parameters(const ScriptTexts& texts, const std::files
   robot.field = setup.field;
   robot.parameters = overrides;
   for (const std::string& name : robot_names()) lists.push_back(robot_parameters(name, robot));
+  lists.push_back(peer_parameters(overrides));
   return merged(std::move(lists));
 }
 

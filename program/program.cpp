@@ -7,8 +7,10 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <ostream>
 #include <string>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <poll.h>
@@ -20,6 +22,7 @@
 #include "program/command_line_error.h"
 #include "program/help.h"
 #include "program/interruption.h"
+#include "program/limits.h"
 #include "program/subcommand.h"
 #include "workbench/recording/mcap/source.h"
 
@@ -98,6 +101,11 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
 }  // namespace
 
 int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  if (const std::string shortage = stack_shortage(); !shortage.empty()) {
+    err << "reorient: " << shortage << '\n';
+    return kBadInput;
+  }
+  name_memory_shortage();
   try {
     const int code = parse_and_run(argc, argv, out, err);
     if (out.flush()) return code;
@@ -106,6 +114,17 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
     return kBadInput;
   } catch (const mcap::Stopped&) {
     return exit_code_of(Interruption::signal());
+  } catch (const std::bad_alloc&) {  // also of libraries that allocate by themselves
+    err << "reorient: " << memory_shortage() << '\n';
+    return kBadInput;
+  } catch (const std::system_error& error) {
+    const bool is_shortage = error.code() == std::errc::resource_unavailable_try_again;
+    err << "reorient: "
+        << (is_shortage ? "expected another thread or process, found a limit of this user or of its memory (ulimit -u, "
+                          "ulimit -v)"
+                        : as_line(error.what()))
+        << '\n';
+    return kBadInput;
   } catch (const std::exception& error) {
     err << "reorient: " << as_line(error.what()) << '\n';
     return kBadInput;

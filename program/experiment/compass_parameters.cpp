@@ -20,6 +20,14 @@ bool is_of_peer(const ParameterChange& change) {
   return is_one;
 }
 
+void declare_peers(CompassParameters& parameters, const std::vector<ParameterChange>& changes,
+                   ParameterRegistry& registry) {
+  for (const ParameterChange& change : changes) {
+    if (is_of_peer(change)) registry.set_early(change);
+  }
+  for_each_peer(parameters, [&](const char* module, auto& peer) { registry.bind(module, peer); });
+}
+
 RoomParameters room_parameters(const std::vector<ParameterChange>& changes) {
   CoreParameters core;
   ParameterRegistry registry;
@@ -35,13 +43,17 @@ std::vector<ParameterChange> without_peers(std::vector<ParameterChange> changes)
   return changes;
 }
 
+std::vector<Parameter> peer_parameters(const std::vector<ParameterChange>& changes) {
+  CompassParameters parameters;
+  ParameterRegistry registry;
+  declare_peers(parameters, changes, registry);
+  return registry.list();
+}
+
 CompassParameters compass_parameters(const std::vector<ParameterChange>& changes) {
   CompassParameters parameters;
   ParameterRegistry registry;
-  for (const ParameterChange& change : changes) {
-    if (is_of_peer(change)) registry.set_early(change);
-  }
-  for_each_peer(parameters, [&](const char* module, auto& peer) { registry.bind(module, peer); });
+  declare_peers(parameters, changes, registry);
   std::vector<std::string> names;
   for (const Parameter& parameter : registry.list()) names.push_back(parameter.name);
   for (const ParameterChange& change : changes) {

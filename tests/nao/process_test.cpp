@@ -45,6 +45,13 @@ TEST_F(NaoProcesses, RefuseOptionsThatANaoDoesNotUseWithOneLine) {
       {{"run", "--robot", "nao", "--guard", folder_.write("other", "x").string()}, "of another version of the guard"},
       {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string()},
        "--places: expected --team"},
+      {{"run", "--robot", "nao", "--at", "30,2,0"},
+       "--at 30,2,0: expected a position on the carpet (x from -5.2 to 5.2 m, y from -3.7 to 3.7 m), found one beside "
+       "it"},
+      {{"run", "--robot", "nao", "--at", "0,-3.8,0"}, "--at 0,-3.8,0: expected a position on the carpet"},
+      {{"run", "--robot", "nao", "--places", folder_.write("places.toml", "player_1 = [1, 2, 3]").string(), "--team",
+        "5", "--player", "7"},
+       "--player 7: expected a player with a pose in "},
       {{"run", "--robot", "nao", "--places", folder_.write("bad.toml", "player_0 = [1, 2, 3]").string(), "--team", "5"},
        "unknown key 'player_0'"},
       {{"run", "--robot", "nao", "--calibration", file("nowhere.toml")}, "expected a file (calibration), found none"},

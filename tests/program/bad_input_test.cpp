@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Bad input: exit code 2, one line that names the invalid value, and no file written.
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
@@ -15,6 +17,16 @@ namespace reorient {
 namespace {
 
 using Words = std::vector<std::string>;
+
+/// Sets a limit of the process, as `ulimit` does.
+std::function<void()> limited(int resource, rlim_t value) {
+  return [resource, value] {
+    rlimit limit{};
+    getrlimit(static_cast<__rlimit_resource>(resource), &limit);
+    limit.rlim_cur = value;
+    setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+  };
+}
 
 class BadInput : public ::testing::Test {
  protected:
@@ -74,6 +86,25 @@ std::string radiance(int width, int height) {
       "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
   for (int i = 0; i < width * height; ++i) bytes += "\x60\x60\x60\x80";
   return bytes;
+}
+
+TEST_F(BadInput, OfTheProcessLimitsIsReportedAsWhatIsShort) {
+#if defined(REORIENT_EMULATOR) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "needs more memory here";
+#endif
+  for (const char* const command : {"params", "version"}) {
+    ChildProgram small_stack(folder_.path(), {command}, limited(RLIMIT_STACK, 64 * 1024));
+    EXPECT_EQ(small_stack.wait(), kBadInput) << small_stack.err();
+    EXPECT_EQ(small_stack.err(),
+              "reorient: expected a stack of at least 1024 KiB, found a limit of 64 KiB; raise it with 'ulimit -s "
+              "8192'\n");
+  }
+  ChildProgram large_images(folder_.path(), {"run", "--seconds", "1", "--width", "640", "--no-pictures"},
+                            limited(RLIMIT_AS, rlim_t{100'000} * 1024));
+  EXPECT_EQ(large_images.wait(), kBadInput);
+  EXPECT_EQ(large_images.err(),
+            "reorient: expected more memory, found none left of 100000 KiB, the limit of this process; raise it with "
+            "'ulimit -v'\n");
 }
 
 TEST_F(BadInput, ACommandLineWithoutASubcommandIsRefused) { expect_refused({}, {"expected a command"}); }

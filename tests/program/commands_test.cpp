@@ -170,7 +170,7 @@ TEST_F(CommandsTest, ParamsListsValueOriginRangeAndMeaning) {
 TEST_F(CommandsTest, ParamsListsParametersOfTheCoreTheSimulatorAndTheScenarios) {
   const ProgramRun listed = run({"params"});
   for (const char* name : {"pose_filter.", "room_status.", "posture.", "arbiter.flip_cooldown", "body.",
-                           "script.max_memory", "mirrored_placement.learn", "walk.speed"})
+                           "script.max_memory", "mirrored_placement.learn", "walk.speed", "tile_row_compass."})
     EXPECT_NE(("\n" + listed.out).find(std::string("\n") + name), std::string::npos) << name;
 }
 

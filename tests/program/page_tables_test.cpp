@@ -110,6 +110,21 @@ TEST(PageTables, DoNotChangeAFileWithoutComments) {
   EXPECT_EQ(read_text(file), "learned");
 }
 
+TEST(PageTables, DoNotUseCommentsInCodeBlocks) {
+  const std::string begin = "<!-- rows t.json: trials -->\n", end = "<!-- end of rows -->\n";
+  const std::string table = begin + "| trials |\n|---|\n| 100 |\n| 100 |\n" + end;
+  for (const std::string& fence : {std::string("```"), std::string("~~~~"), std::string("   `````")}) {
+    const std::string code = fence + "text\n" + begin + end + "<!-- rows gone -->\n``\n" + fence + "\n";
+    EXPECT_FALSE(has_tables(code)) << code;
+    EXPECT_EQ(filled(code), code);
+    EXPECT_EQ(filled(code + begin + end), code + table);
+    EXPECT_EQ(filled(begin + end + code), table + code);
+  }
+  EXPECT_EQ(filled("```\n~~~\n" + begin + end + "```\n" + begin + end), "```\n~~~\n" + begin + end + "```\n" + table);
+  EXPECT_EQ(filled("`` ` ``\n" + begin + end), "`` ` ``\n" + table);
+  EXPECT_EQ(filled("    ```\n" + begin + end), "    ```\n" + table) << "indented too far for a fence";
+}
+
 TEST(PageTables, OfSeveralPagesAreWrittenOnlyIfAllAreValid) {
   const TemporaryFolder folder;
   const std::string end = "<!-- end of rows -->\n";

@@ -175,6 +175,28 @@ PageLine take_line(std::string_view& rest) {
   return {line.substr(0, length), line.substr(length)};
 }
 
+/// Whether a line of Markdown is in a fenced code block, or begins or ends one: comments there are examples.
+class CodeBlocks {
+ public:
+  bool contains(std::string_view line) {
+    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+    line.remove_prefix(indent);
+    const char mark = line.empty() ? char{} : line.front();
+    const std::size_t count = mark == '`' || mark == '~' ? std::min(line.find_first_not_of(mark), line.size()) : 0;
+    const bool is_fence = indent <= 3 && count >= 3;
+    if (count_ == 0) {
+      if (is_fence && (mark == '~' || line.find('`', count) == std::string_view::npos)) mark_ = mark, count_ = count;
+      return count_ > 0;
+    }
+    if (is_fence && mark == mark_ && count >= count_ && trimmed(line.substr(count)).empty()) count_ = 0;
+    return true;
+  }
+
+ private:
+  char mark_ = 0;
+  std::size_t count_ = 0;  // marks of the open fence; 0: none
+};
+
 std::string with_line_ends(const std::string& text, std::string_view end) {
   std::string ended;
   for (const char letter : text) ended += letter == '\n' ? end : std::string_view(&letter, 1);
@@ -184,8 +206,11 @@ std::string with_line_ends(const std::string& text, std::string_view end) {
 }  // namespace
 
 bool has_tables(std::string_view page) {
-  while (!page.empty())
-    if (take_line(page).text.starts_with(kBegin)) return true;
+  CodeBlocks code;
+  while (!page.empty()) {
+    const std::string_view line = take_line(page).text;
+    if (!code.contains(line) && line.starts_with(kBegin)) return true;
+  }
   return false;
 }
 
@@ -194,9 +219,14 @@ std::string with_tables(std::string_view page,
   std::string made;
   int open = 0;  // line of the comment that began the table; 0: no table
   int number = 0;
+  CodeBlocks code;
   while (!page.empty()) {
     const auto [line, line_end] = take_line(page);
     ++number;
+    if (open == 0 && code.contains(line)) {
+      made.append(line).append(line_end);
+      continue;
+    }
     if (line == kEnd) {
       if (open == 0)
         throw std::runtime_error(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "program/run/nao/run_nao.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -68,6 +69,9 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   if (!options.places.empty() && options.team == 0)
     throw std::runtime_error(
         "--places: expected --team, since the referee's messages are used only with the team's number, found none");
+  if (!options.places.empty() && !places[static_cast<std::size_t>(options.player - 1)])
+    throw std::runtime_error(fmt::format("--player {}: expected a player with a pose in {}, found none", options.player,
+                                         options.places.string()));
 
   nao::NaoOptions robot_options;
   std::uint64_t mounting = 0;
@@ -89,8 +93,14 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   robot_options.player = options.player;
   robot_options.stands_at_once = options.stand;
 
-  FrameSetup setup = engine_setup(options, edits.texts(), robot_options.body,
-                                  load_field(field_file(options.field, robot_options.body)),
+  const FieldDimensions field = load_field(field_file(options.field, robot_options.body));
+  const double most_x = 0.5 * field.length + field.border, most_y = 0.5 * field.width + field.border;
+  if (place && (std::abs(place->position.x()) > most_x || std::abs(place->position.y()) > most_y))
+    throw std::runtime_error(
+        fmt::format("--at {}: expected a position on the carpet (x from {:.1f} to {:.1f} m, y from "
+                    "{:.1f} to {:.1f} m), found one beside it",
+                    options.at, -most_x, most_x, -most_y, most_y));
+  FrameSetup setup = engine_setup(options, edits.texts(), robot_options.body, field,
                                   {.head = true, .walk = options.walk, .get_up = false});
   setup.model = as_mounted(model, mounting);
   const std::size_t behaviors = setup.behaviors.size();

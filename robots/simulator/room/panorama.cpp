@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -32,14 +34,14 @@ std::vector<std::uint8_t> read_file(const std::string& path) {
     fail(path, "expected a .hdr, .png or .jpg file, found something that is not a file");
   const auto size = std::filesystem::file_size(path, error);
   constexpr std::uintmax_t kLargest = 256u << 20;
-  if (error) fail(path, "cannot be read; check its permissions");
+  if (error) fail(path, "cannot be read: " + error.message());
   if (size == 0) fail(path, "expected an image, found an empty file; fetch or export it again");
   if (size > kLargest)
     fail(path, "expected at most 256 MB, found a larger file; scale it down to at most 8192x4096 pixels");
   std::vector<std::uint8_t> bytes(size);
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!file) fail(path, "cannot be read; check its permissions");
+  if (!file) fail(path, std::string("cannot be read: ") + std::strerror(errno));
   return bytes;
 }
 
@@ -113,6 +115,8 @@ LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& 
     fail(name, std::string("expected a readable JPEG, found damaged data (") + tjGetErrorStr2(decoder.get()) +
                    "); export it again");
   }
+  if (colors == TJCS_CMYK || colors == TJCS_YCCK)
+    fail(name, "expected a JPEG in gray or RGB colors, found one in CMYK for printing; export it in sRGB");
   check_panorama_size(width, height, name);
   check_scans(bytes, name);
   std::vector<std::uint8_t> shown(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -86,6 +86,22 @@ TEST(Panorama, ConvertsTheGammaOfAJpegToLinearLight) {
   EXPECT_NEAR(image.at(60, 5).z(), 0.503f, 0.02f);
 }
 
+TEST(Panorama, NamesTheColorsOfAJpegThatItCannotUse) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), tjDestroy);
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  const std::vector<std::uint8_t> inks(std::size_t{4} * kWidth * kHeight, 100);
+  ASSERT_EQ(tjCompress2(encoder.get(), inks.data(), kWidth, 0, kHeight, TJPF_CMYK, &data, &size, TJSAMP_444, 95, 0), 0);
+  const std::vector<std::uint8_t> jpeg(data, data + size);
+  tjFree(data);
+  expect_refused(jpeg, "expected a JPEG in gray or RGB colors, found one in CMYK for printing");
+}
+
+TEST(Panorama, ReadsAProgressiveJpegAsAnyOther) {
+  const LinearImage image = decode_panorama(encode_jpeg(two_grays(20, 188), TJFLAG_PROGRESSIVE), "test");
+  EXPECT_NEAR(image.at(60, 5).z(), 0.503f, 0.02f);
+}
+
 TEST(Panorama, RefusesTruncatedPictures) {
   auto png = encode_png(two_grays(30, 200));
   auto jpeg = encode_jpeg(two_grays(30, 200));
