@@ -6,8 +6,8 @@
 #include "program/program.h"
 
 int main(int argc, char** argv) {
-  // A reader of the output may end early (as head does), and a file may exceed its size limit. Both are reported as
-  // errors; the other outputs of a run must not be lost.
+  // A reader of the output may end early (as head does), and a file may exceed its size limit. The other outputs of a
+  // run must not be lost, so the program continues: see run_program().
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   // libedit converts characters by the locale. Set it before any thread starts; the format of numbers is unchanged.

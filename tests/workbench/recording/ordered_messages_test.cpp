@@ -26,9 +26,7 @@ std::vector<Found> read_all(const Bytes& file, std::set<std::uint16_t> channels,
   const MemorySource source(file);
   Contents contents = read_contents(source);
   read_topics_in_chunks(source, contents);
-  std::vector<ChunkPlace> places = contents.chunks;
-  places.insert(places.end(), contents.loose.begin(), contents.loose.end());
-  OrderedMessages messages(source, places, std::move(channels), memory);
+  OrderedMessages messages(source, contents.places(), std::move(channels), memory);
   std::vector<Found> all;
   for (Message message; messages.next(message);) {
     EXPECT_EQ(message.data.size(), message.time % 100) << "the data must belong to the message";
@@ -121,6 +119,42 @@ TEST(OrderedMessages, OfChunksThatOverlapMuchAreRejected) {
   }
 }
 
+/// Not all writers add checksums, so a damage may appear within a chunk.
+TEST(OrderedMessages, BeforeAndAfterADamageWithinAChunkAreRead) {
+  RawMcap file;
+  file.magic();
+  file.header();
+  RawMcap damaged, sound;
+  add(damaged, 7, 102);
+  add(damaged, 7, 101);
+  damaged.record(Opcode::message, Bytes(5));  // too short for a message
+  add(damaged, 7, 103);
+  const std::size_t where = file.bytes().size();
+  file.chunk(damaged, "zstd");
+  add(sound, 7, 104);
+  file.chunk(sound, "zstd");
+  file.end();
+  const MemorySource source(file.bytes());
+  OrderedMessages messages(source, read_contents(source).places(), {7});
+  std::vector<std::uint64_t> times;
+  int damages = 0;
+  for (bool is_over = false; !is_over;) {
+    try {
+      Message message;
+      is_over = !messages.next(message);
+      if (is_over) continue;
+      times.push_back(message.time);
+      EXPECT_EQ(message.data.size(), message.time % 100);
+    } catch (const Damage& damage) {
+      ++damages;
+      EXPECT_EQ(damage.where, where);
+      EXPECT_EQ(times, (std::vector<std::uint64_t>{101, 102})) << "the messages before it come first";
+    }
+  }
+  EXPECT_EQ(times, (std::vector<std::uint64_t>{101, 102, 104}));
+  EXPECT_EQ(damages, 1);
+}
+
 TEST(OrderedMessages, WithTheSameTimeOpenOneChunkAfterAnother) {
   RawMcap file;
   file.magic();
@@ -151,6 +185,23 @@ TEST(TopicsInChunks, AreFoundWithoutASummary) {
     EXPECT_EQ(contents.schema(3)->name, "Thing");
     EXPECT_EQ(contents.damage.has_value(), is_cut);
   }
+}
+
+TEST(TopicsInChunks, AreFoundAfterADamagedChunk) {
+  RawMcap file;
+  file.magic();
+  file.header();
+  RawMcap lost, found;
+  lost.record(Opcode::channel, Bytes(3));
+  file.chunk(lost, "lz4");
+  found.channel(7, 0, "/things");
+  add(found, 7, 101);
+  file.chunk(found, "lz4");
+  file.end();
+  const MemorySource source(file.bytes());
+  Contents contents = read_contents(source);
+  read_topics_in_chunks(source, contents);
+  ASSERT_NE(contents.channel("/things"), nullptr);
 }
 
 TEST(Lz4Chunks, ThatAreDamagedOrLargerThanStatedAreRejected) {
