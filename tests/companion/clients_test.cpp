@@ -352,12 +352,14 @@ std::optional<std::uint32_t> command_within(RawClient& client, double begin, int
   return command;
 }
 
+constexpr const char* kFlipsOnce = R"(behavior "once" { initial = "waiting",
+    state "waiting" { { "done", after = 1.0, because = "it is time" } },
+    state "done" { enter = function() command.flip_pose() end } })";
+
 TEST_F(CompanionClient, GetsACommandAtMostOnceAlsoIfTheCompanionIsKilledRightAfterIt) {
   const std::filesystem::path scripts = folder_.path() / "scripts";
   std::filesystem::create_directories(scripts / "behaviors");
-  std::ofstream(scripts / "behaviors/once.lua") << R"(behavior "once" { initial = "waiting",
-    state "waiting" { { "done", after = 1.0, because = "it is time" } },
-    state "done" { enter = function() command.flip_pose() end } })";
+  std::ofstream(scripts / "behaviors/once.lua") << kFlipsOnce;
   std::vector<std::string> words = server();
   words.insert(words.end(), {"--scripts", scripts.string(), "--behaviors", "once"});
   const reorient_hello hello = small_hello(1, REORIENT_OWN_LOCALIZATION);
@@ -379,6 +381,23 @@ TEST_F(CompanionClient, GetsACommandAtMostOnceAlsoIfTheCompanionIsKilledRightAft
     EXPECT_FALSE(command_within(client, 300.0, 30)) << "a second flip would cancel the first one";
     EXPECT_NE(companion.err().find("continues from the saved state"), std::string::npos) << companion.err();
   }
+}
+
+TEST_F(CompanionClient, GetsACommandAlsoIfTheStateCannotBeWritten) {
+  const std::filesystem::path scripts = folder_.path() / "scripts", gone = folder_.path() / "gone";
+  std::filesystem::create_directories(scripts / "behaviors");
+  std::filesystem::create_directories(gone);
+  std::ofstream(scripts / "behaviors/once.lua") << kFlipsOnce;
+  std::vector<std::string> words = server();
+  words.insert(words.end(),
+               {"--scripts", scripts.string(), "--behaviors", "once", "--state", (gone / "state").string()});
+  const ChildProgram companion(folder_.path(), words);
+  ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+  std::filesystem::remove_all(gone);
+  RawClient client(socket());
+  client.introduce(small_hello(1, REORIENT_OWN_LOCALIZATION));
+  EXPECT_TRUE(command_within(client, 0.0, 2000)) << "a full disk must not keep the belief wrong";
+  EXPECT_TRUE(companion.await((gone / "state").string())) << companion.err();
 }
 
 TEST_F(CompanionClient, IsReportedWhenItLeavesOrIsRefused) {

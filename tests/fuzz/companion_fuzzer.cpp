@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from a client of the companion: before or after its hello. With any bytes, the companion
-// continues, and its output is usable.
+// Arbitrary bytes from a client of the companion: before or after its hello, or as changes of the messages of a whole
+// session. With any bytes, the companion continues, and its output is usable.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <unistd.h>
 
@@ -30,9 +34,11 @@ class Served {
     require(client.is_connected(), "the companion listens");
     if ((how & 1) != 0) client.introduce(small_hello(1 + (how >> 1 & 3), 1 + (how >> 3 & 1)));
     if ((how & 17) == 17) client.paint(7);
-    client.send_bytes(bytes.subspan(1), (how & 32) != 0 ? client.memory() : -1);
+    const bool is_session = (how & 65) == 65;
+    if (!is_session) client.send_bytes(bytes.subspan(1), (how & 32) != 0 ? client.memory() : -1);
     if (const Handshake* const handshake = companion_.wait_for_handshake(); handshake != nullptr)
-      companion_.begin(*handshake, false, 1);
+      companion_.begin(*handshake, (how & 128) != 0, 1);
+    if (is_session) play(client, bytes.subspan(1));
     for (int i = 0; i < 3; ++i) look();
     for (const RawClient::Heard& heard : client.hear())
       require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_NOTE,
@@ -43,6 +49,44 @@ class Served {
 
  private:
   static std::filesystem::path path() { return "/tmp/reorient-fuzz-" + std::to_string(getpid()); }
+
+  /// Valid messages in any order, each with a few bytes changed.
+  void play(RawClient& client, std::span<const std::byte> bytes) {
+    constexpr std::size_t kHeader = 4;
+    while (bytes.size() >= kHeader) {
+      const auto at = [&bytes](std::size_t i) { return std::to_integer<std::size_t>(bytes[i]); };
+      const std::size_t what = at(0) % 6, offset = at(1) | at(2) << 8,
+                        size = std::min(at(3) % 32, bytes.size() - kHeader);
+      const std::span<const std::byte> changes = bytes.subspan(kHeader, size);
+      const auto changed = [&](auto message) {
+        const std::size_t begin = offset % sizeof(message);
+        const std::size_t count = std::min(changes.size(), sizeof(message) - begin);
+        if (count > 0) std::memcpy(reinterpret_cast<std::byte*>(&message) + begin, changes.data(), count);
+        return message;
+      };
+      if (what <= 1) {
+        client.send(REORIENT_FRAME, changed(standing_frame(++number_, now_, client.paint(7))));
+      } else if (what == 2) {
+        reorient_sample sample{};
+        sample.time = now_;
+        client.send(REORIENT_SAMPLE, changed(sample));
+      } else if (what == 3) {
+        reorient_game game{};
+        game.team = 5;
+        game.player = 3;
+        game.size = 158;
+        std::memcpy(game.datagram, "RGme\x14", 5);
+        game.datagram[18] = 5;
+        client.send(REORIENT_GAME, changed(game));
+      } else if (what == 4) {
+        client.send(REORIENT_MEMORY, changed(reorient_memory{0, client.slot_size()}), client.memory());
+      } else {
+        decided_ = static_cast<Reorientation>(offset % enum_count(Reorientation{}));
+      }
+      look();
+      bytes = bytes.subspan(kHeader + size);
+    }
+  }
 
   void look() {
     Observation seen;
@@ -62,12 +106,18 @@ class Served {
             "an initial pose is finite");
     require(seen.external.messages.size() <= kMostMessages, "messages are bounded");
     require(!seen.upper || seen.upper->robot_from_camera.matrix().allFinite(), "the camera's pose is finite");
-    companion_.answer({});
+    require(!seen.external.referee || static_cast<int>(seen.external.referee->state) < enum_count(GameState{}),
+            "the state of the game is known");
+    Answer answer;
+    answer.reorientation = std::exchange(decided_, std::nullopt);
+    companion_.answer(answer);
   }
 
   double now_ = 0.0;
   int looks_ = 0;
   double last_time_ = -1.0;
+  std::uint64_t number_ = 0;
+  std::optional<Reorientation> decided_;
   Companion companion_{{path(), no_known_robots(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};
 };
 

@@ -35,6 +35,9 @@ TEST(PlacesFile, IsRefusedInOneLine) {
             "file.toml:1: player_2: expected a list of 3 numbers, found [1, 2]");
   EXPECT_NE(complaint(parse_places, "player_21 = [1, 2, 3]").find("unknown key 'player_21'"), std::string::npos);
   EXPECT_NE(complaint(parse_places, "player_1 = [nan, 2, 3]"), "");
+  EXPECT_EQ(complaint(parse_places, "player_1 = [1, -101, 3]"),
+            "file.toml:1: player_1: expected a pose within 100 m of the field's center along each axis and within 100 "
+            "turns, found 1 m, -101 m, 0 rad");
   EXPECT_NE(complaint(parse_places, "player_1 = "), "");
   EXPECT_THROW(load_places("/nowhere/places.toml"), std::runtime_error);
 }
