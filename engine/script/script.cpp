@@ -162,11 +162,11 @@ int Script::require(lua_State* L) {
     has_place = error.fault.line > 0;
   }
   if (!failure.empty()) {
-    script.sandbox_.raise_if_exhausted();
-    if (has_place) {
+    if (has_place) {  // also of a used-up budget: the error names the line in the other file that used it up
       lua_pushlstring(L, failure.data(), failure.size());
       return lua_error(L);
     }
+    script.sandbox_.raise_if_exhausted();
     return luaL_error(L, "%s", failure.c_str());
   }
   if (lua_isnil(L, -1)) {

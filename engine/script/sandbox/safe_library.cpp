@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -103,8 +104,8 @@ struct Key {
   }
 };
 
-/// The key on top of the stack.
-Key read_key(lua_State* L) {
+/// The key on top of the stack, for messages of `function`.
+Key read_key(lua_State* L, const char* function) {
   Key key;
   key.type = lua_type(L, -1);
   if (key.type == LUA_TBOOLEAN) {
@@ -117,7 +118,7 @@ Key read_key(lua_State* L) {
     const char* const text = lua_tolstring(L, -1, &length);
     key.text = {text, length};
   } else {
-    luaL_error(L, "pairs: a key of type %s has no reproducible order (expected numbers or strings)",
+    luaL_error(L, "%s: a key of type %s has no reproducible order (expected numbers or strings)", function,
                luaL_typename(L, -1));
   }
   return key;
@@ -150,7 +151,7 @@ int safe_pairs(lua_State* L) {
   Sandbox::of(L).charge_walk();
   for (lua_pushnil(L); lua_next(L, 1) != 0;) {
     lua_pop(L, 1);
-    Key key = read_key(L);
+    Key key = read_key(L, "pairs");
     key.place = static_cast<lua_Integer>(keys.size()) + 1;
     keys.push_back(key);
     lua_pushvalue(L, -1);
@@ -168,6 +169,46 @@ int safe_pairs(lua_State* L) {
   lua_pushinteger(L, 0);
   lua_pushcclosure(L, next_pair, 3);
   return 1;
+}
+
+/// The first pair of a table after a key, in the order of pairs. Each call reads all keys: `next(t) == nil` is cheap
+/// enough, and a loop over a large table should use pairs.
+int safe_next(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL)
+    return luaL_error(L, "next: this table has __pairs (expected a plain table; write pairs)");
+  lua_settop(L, 2);
+  std::optional<Key> after, first;
+  if (!lua_isnil(L, 2)) after = read_key(L, "next");
+  lua_pushnil(L);  // at 3: the first of the later keys
+  std::int64_t count = 0;
+  Sandbox::of(L).charge_walk();
+  for (lua_pushnil(L); lua_next(L, 1) != 0; ++count) {
+    lua_pop(L, 1);
+    const Key key = read_key(L, "next");
+    if ((after && !(*after < key)) || (first && !(key < *first))) continue;
+    first = key;
+    lua_copy(L, -1, 3);
+  }
+  Sandbox::of(L).charge(count);
+  if (!first) return 1;
+  lua_pushvalue(L, 3);
+  lua_rawget(L, 1);
+  return 2;
+}
+
+/// Upvalue: the name of the operator. Lua converts texts that look like numbers. In scripts a text in arithmetic is an
+/// error, since it is more often a mistake, unless the other operand is a table that knows the operator.
+int refuse_arithmetic(lua_State* L) {
+  if (lua_type(L, 2) == LUA_TTABLE && luaL_getmetafield(L, 2, lua_tostring(L, lua_upvalueindex(1))) != LUA_TNIL) {
+    lua_insert(L, 1);
+    lua_call(L, 2, 1);
+    return 1;
+  }
+  const int text = lua_type(L, 1) == LUA_TSTRING ? 1 : 2;
+  return luaL_error(L,
+                    "attempt to perform arithmetic on the string value '%s' (expected a number; write tonumber(...))",
+                    lua_tostring(L, text));
 }
 
 /// Table functions are C loops over the table's length: they accept plain tables only, whose
@@ -263,7 +304,7 @@ void open_base(lua_State* L) {
   constexpr luaL_Reg kOwn[] = {
       {"pcall", safe_pcall},   {"xpcall", safe_xpcall},     {"setmetatable", safe_setmetatable},
       {"rawset", safe_rawset}, {"tostring", safe_tostring}, {"pairs", safe_pairs},
-      {nullptr, nullptr}};
+      {"next", safe_next},     {nullptr, nullptr}};
   // luaopen_base fills the globals table itself, so it gets a temporary table.
   lua_newtable(L);
   lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
@@ -344,6 +385,11 @@ void open_string(lua_State* L) {
   lua_setfield(L, -2, "__index");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
+  for (const char* operation : {"__add", "__sub", "__mul", "__div", "__idiv", "__mod", "__pow", "__unm"}) {
+    lua_pushstring(L, operation);
+    lua_pushcclosure(L, refuse_arithmetic, 1);
+    lua_setfield(L, -2, operation);
+  }
   lua_setmetatable(L, -2);
   lua_pop(L, 1);
 }

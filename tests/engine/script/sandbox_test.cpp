@@ -251,6 +251,15 @@ TEST_F(Sandboxed, ALoopInARequiredFileIsNotCaughtByPcall) {
   EXPECT_NE(refusal("pcall(require, \"lib.evil\") behavior \"refused\" {}").message.find("budget"), std::string::npos);
 }
 
+TEST_F(Sandboxed, ALoopInARequiredFileIsReportedAtItsOwnLine) {
+  folder.write("lib/evil.lua", "local i = 0\nwhile true do\n  i = i + 1\nend");
+  folder.write("lib/between.lua", "\n\nreturn require \"lib.evil\"");
+  const ScriptFault fault = refusal("\n\n\n\nlocal between = require \"lib.between\" behavior \"refused\" {}");
+  EXPECT_EQ(fault.file, "lib/evil.lua");
+  EXPECT_TRUE(fault.line == 2 || fault.line == 3) << fault.line;
+  EXPECT_NE(fault.message.find("budget of 2000000"), std::string::npos) << fault.message;
+}
+
 TEST_F(Sandboxed, AnActionWhileAScriptIsLoadedIsRefused) {
   for (const char* call : {"command.flip_pose()", "command.pause_training()", "head.look(0, 0)", "walk.stand()",
                            "motion.get_up()", "log.info(\"x\")", "print(\"x\")", "time_in_state()"}) {
@@ -357,6 +366,54 @@ TEST_F(Sandboxed, TablesWithKeysWithoutAReproducibleOrderAreNotIterated) {
   EXPECT_TRUE(logs[0].starts_with("false ")) << logs[0];
   EXPECT_NE(logs[0].find("a key of type table"), std::string::npos) << logs[0];
   EXPECT_EQ(logs[1], "false true -1 1.5 large+0 large+1 x ");
+}
+
+TEST_F(Sandboxed, NextFollowsTheOrderOfPairs) {
+  load("one", R"(behavior "one" { update = function()
+    local t, line = { zebra = 1, ant = 2, [3] = 3, [1] = 1, [true] = 5, [-1.5] = 4 }, ""
+    local key, value = next(t)
+    while key ~= nil do
+      line = line .. tostring(key) .. "=" .. value .. " "
+      key, value = next(t, key)
+    end
+    print(line, next({}) == nil, next({ nil, 2 }), next(t, "zebra"), next(t, 2))
+    for k, v in next, { b = 1, a = 2 } do print(k, v) end
+    print(pcall(next, setmetatable({}, { __pairs = function() end })))
+    print(pcall(next, { [{}] = 1 }))
+    print(pcall(next, { 1 }, {}))
+    print(pcall(next))
+  end })");
+  tick();
+  ASSERT_EQ(faults.size(), 0u) << faults[0].fault.text();
+  ASSERT_EQ(logs.size(), 7u);
+  EXPECT_EQ(logs[0], "true=5 -1.5=4 1=1 3=3 ant=2 zebra=1  true 2 nil 3 3");
+  EXPECT_EQ(logs[1] + "; " + logs[2], "a 2; b 1");
+  EXPECT_NE(logs[3].find("next: this table has __pairs (expected a plain table; write pairs)"), std::string::npos);
+  EXPECT_NE(logs[4].find("next: a key of type table has no reproducible order"), std::string::npos) << logs[4];
+  EXPECT_NE(logs[5].find("next: a key of type table has no reproducible order"), std::string::npos) << logs[5];
+  EXPECT_NE(logs[6].find("table expected, got no value"), std::string::npos) << logs[6];
+}
+
+TEST_F(Sandboxed, ATextInArithmeticSaysWhatToWrite) {
+  load("one", R"(behavior "one" { update = function()
+    local sum = setmetatable({}, { __add = function(a, b) return "added " .. (type(a) == "table" and b or a) end })
+    print("x" + sum, sum + "x", -tonumber("2"), tonumber("10") + 1, "2" .. 3)
+    for _, wrong in ipairs {
+      function() return "10" + 1 end, function() return 1 - "x" end, function() return "2" * "3" end,
+      function() return -"4" end, function() return "5" // {} end, function() return "6" % 2 end,
+      function() return 2 ^ "7" end, function() return "8" / 2 end } do print(pcall(wrong)) end
+  end })");
+  tick();
+  ASSERT_EQ(faults.size(), 0u) << faults[0].fault.text();
+  ASSERT_EQ(logs.size(), 9u);
+  EXPECT_EQ(logs[0], "added x added x -2 11 23");
+  const char* const found[] = {"10", "x", "2", "4", "5", "6", "7", "8"};
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NE(logs[i + 1].find("attempt to perform arithmetic on the string value '" + std::string(found[i]) +
+                               "' (expected a number; write tonumber(...))"),
+              std::string::npos)
+        << logs[i + 1];
+  }
 }
 
 TEST_F(Sandboxed, TheMemoryOfAScriptThatMakesGarbageStaysBounded) {

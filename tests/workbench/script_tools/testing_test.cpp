@@ -633,6 +633,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "did you mean 'from'?"},
         Mistake{"StateOfAnUnknownMachine", "load_behavior 'lamp'  expect.state('lapm', 'off')",
                 "behavior \"lapm\" is not loaded"},
+        Mistake{"RequiredLibrary", "require 'lib.walk'",
+                "require: a library runs only with a script that uses it (expected load_behavior or load_scenario)"},
         Mistake{"UnknownState", "load_behavior 'lamp'  expect.state('lamp', 'of')", "lamp: unknown state \"of\""},
         Mistake{"UnknownCommand", "expect.no_command('flip')", "unknown command 'flip' (did you mean"},
         Mistake{"UnknownLease", "expect.no_lease('pause_trainig')", "unknown pause 'pause_trainig'"}),

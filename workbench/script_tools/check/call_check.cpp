@@ -28,7 +28,9 @@ std::string argument_name(std::size_t index, const std::string& function) {
 }
 
 /// Functions that iterate over a table without writing to it.
-bool only_reads(const std::string& function) { return function == "pairs" || function == "ipairs"; }
+bool only_reads(const std::string& function) {
+  return function == "pairs" || function == "ipairs" || function == "next";
+}
 
 bool is_text(const Meaning& value) { return value.literal != nullptr && value.literal->kind == LuaToken::Kind::text; }
 

@@ -153,13 +153,16 @@ std::string script_reference(std::span<const LibraryModule> libraries) {
     out << "\n";
   }
   out << "\n`pairs` returns numbers and then names in ascending order, so that each run is the same. It rejects keys "
-         "that are not numbers, texts\nor booleans. Table functions accept only tables without a metatable. Global "
+         "that are not numbers, texts\nor booleans. `next` follows the same order, but reads all keys in each call. A "
+         "text in arithmetic is an error, even \"10\" + 1:\nwrite `tonumber(text)`. Table functions accept only tables "
+         "without a metatable. Global "
          "variables are not possible: write `local`, or `keep` for\nvalues that survive a reload. A script may have at "
          "most "
       << Metatables::kMost
       << " metatables, so let tables of the same type share one.\n\n"
          "## Words of tests\n"
-         "Files `scripts/tests/*_test.lua`, run by `reorient test`.\n\n";
+         "Files `scripts/tests/*_test.lua`, run by `reorient test`. A test cannot `require` a library: it loads a "
+         "behavior or scenario\nthat uses the library.\n\n";
   write_words(out, test_words());
   std::string text = out.str();
   text.pop_back();  // the last blank line

@@ -198,6 +198,7 @@ constexpr std::string_view kBase[] = {
     "error(message?: any, level?: integer)",
     "getmetatable(object: any): any",
     "ipairs(list: table): function, table, integer",
+    "next(table: table, after?: any): any, any",
     "pairs(table: table): function, any, any",
     "pcall(run: any, ...: any): boolean, ...",
     "rawequal(left: any, right: any): boolean",

@@ -92,6 +92,11 @@ void TestBench::add_to(lua_State* L) {
   add_function<&TestBench::replay>(L, "replay");
   add_function<&TestBench::advance_to>(L, "advance_to");
   add_function<&TestBench::world_value>(L, "world_value");
+  lua_pushcfunction(L, [](lua_State* state) {
+    return luaL_error(
+        state, "require: a library runs only with a script that uses it (expected load_behavior or load_scenario)");
+  });
+  lua_setfield(L, -2, "require");
   lua_newtable(L);
   add_expectations(L);
   lua_setfield(L, -2, "expect");
