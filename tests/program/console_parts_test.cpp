@@ -49,6 +49,25 @@ TEST_F(Keys, WaitForTheirRest) {
   EXPECT_EQ(of("A"), Strings{"A"});
 }
 
+TEST_F(Keys, DoNotWaitBehindALetterInAnotherEncoding) {
+  EXPECT_EQ(of("\xFF"
+               "a"),
+            Strings{"a"})
+      << "Latin-1";
+  EXPECT_EQ(of("\xE4"
+               "b"),
+            Strings{"b"});
+  EXPECT_EQ(of("\xF6"
+               "c"),
+            Strings{"c"});
+  EXPECT_EQ(of("\xE2\x82"
+               "d"),
+            Strings{"d"});
+  EXPECT_TRUE(queue.empty());
+  EXPECT_EQ(of("\xE4"), Strings());
+  EXPECT_EQ(of("\r"), Strings{"\r"});
+}
+
 TEST_F(Keys, AreIgnoredIfUnknown) {
   EXPECT_EQ(of("\x1B[5~a"), Strings{"a"});  // page up
   EXPECT_EQ(of("\x1B\x1B[Ab"), (Strings{"\x1B[A", "b"}));

@@ -24,10 +24,21 @@ std::size_t sequence_length(std::string_view bytes) {
   return is_in(bytes[end], '@', '~') ? end + 1 : end;
 }
 
-/// Number of bytes of the UTF-8 letter that begins with this byte.
-std::size_t letter_length(char first) {
-  const auto code = static_cast<unsigned char>(first);
-  return code < 0xC0 ? 1 : code < 0xE0 ? 2 : code < 0xF0 ? 3 : 4;
+/// Number of bytes of the UTF-8 letter at the beginning; 0: it needs more bytes; nothing: these bytes begin no letter,
+/// as a letter in another encoding does. Must not wait then, because the bytes behind it are other keys.
+std::optional<std::size_t> letter_length(std::string_view bytes) {
+  const auto code = static_cast<unsigned char>(bytes[0]);
+  const std::size_t length = code < 0x80   ? 1
+                             : code < 0xC2 ? 0
+                             : code < 0xE0 ? 2
+                             : code < 0xF0 ? 3
+                             : code < 0xF5 ? 4
+                                           : 0;
+  if (length == 0) return std::nullopt;
+  if (bytes.size() >= length) return is_utf8(bytes.substr(0, length)) ? std::optional(length) : std::nullopt;
+  for (const char letter : bytes.substr(1))
+    if ((static_cast<unsigned char>(letter) & 0xC0U) != 0x80U) return std::nullopt;
+  return 0;
 }
 
 }  // namespace
@@ -35,14 +46,14 @@ std::size_t letter_length(char first) {
 std::optional<std::string> KeyQueue::next() {
   while (!bytes_.empty()) {
     const bool is_sequence = bytes_[0] == kEscape;
-    std::size_t length = is_sequence ? sequence_length(bytes_) : letter_length(bytes_[0]);
-    if (length == 0 || length > bytes_.size()) return std::nullopt;
-    if (!is_sequence && !is_utf8(std::string_view(bytes_).substr(0, length))) {
+    const std::optional<std::size_t> length = is_sequence ? sequence_length(bytes_) : letter_length(bytes_);
+    if (!length) {
       bytes_.erase(0, 1);
       continue;
     }
-    std::string key = bytes_.substr(0, length);
-    bytes_.erase(0, length);
+    if (*length == 0 || *length > bytes_.size()) return std::nullopt;
+    std::string key = bytes_.substr(0, *length);
+    bytes_.erase(0, *length);
     if (!is_sequence || sequences_.contains(key)) return key;
   }
   return std::nullopt;
