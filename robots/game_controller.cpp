@@ -89,8 +89,8 @@ bool GameController::read(std::span<const std::byte> datagram, ExternalInputs& e
   // state of the game: the robot may have missed the break.
   constexpr int kShootOut = 1, kExtraTime = 2;
   const bool is_regular_time = at(kPhase) != kShootOut && at(kPhase) != kExtraTime;
-  const Sides sides{is_first_team, at(kFirstHalf) == 1, is_regular_time};
-  const Sides before = sides_.value_or(sides);
+  const TeamSides sides{is_first_team, at(kFirstHalf) == 1, is_regular_time};
+  const TeamSides before = sides_.value_or(sides);
   const bool is_other_half =
       sides.is_first_half != before.is_first_half && sides.is_regular_time && before.is_regular_time;
   if (sides.is_first_team != before.is_first_team || is_other_half) external.half_time = !external.half_time;

@@ -12,12 +12,24 @@
 #include <string>
 #include <utility>
 
+#include "geometry/const_or.h"
 #include "robots/robot.h"
 
 namespace reorient {
 
 inline constexpr std::uint16_t kGameControllerPort = 3838;        ///< UDP, broadcast to all robots
 inline constexpr std::uint16_t kGameControllerReturnPort = 3939;  ///< UDP, answers to the sender of the datagrams
+
+/// What a datagram contains about the goal that a team defends.
+struct TeamSides {
+  bool is_first_team = false;    ///< the team comes first in the datagram
+  bool is_first_half = false;    ///< of regular time
+  bool is_regular_time = false;  ///< neither extra time nor a penalty shoot-out
+};
+template <typename Visit, ConstOr<TeamSides> T>
+void fields(Visit&& visit, T& sides) {
+  visit(sides.is_first_team, sides.is_first_half, sides.is_regular_time);
+}
 
 /// One robot's view of the game. Ignores datagrams that are not exactly in the expected format or not about this team:
 /// then the last state stays valid, which is GameState::unknown until the first datagram is used.
@@ -52,25 +64,13 @@ class GameController {
   }
 
  private:
-  /// What a datagram contains about the goal that this team defends.
-  struct Sides {
-    bool is_first_team = false;    ///< this team comes first in the datagram
-    bool is_first_half = false;    ///< of regular time
-    bool is_regular_time = false;  ///< neither extra time nor a penalty shoot-out
-
-    template <typename Archive>
-    static void archive(Archive& archive, auto& self) {
-      archive(self.is_first_team, self.is_first_half, self.is_regular_time);
-    }
-  };
-
   /// Types of reasons to ignore a datagram.
   enum class Reason : unsigned { robot, header, version, size, state, teams };
   bool ignore(Reason reason, const std::function<std::string()>& describe);
 
   int team_, player_;
   std::optional<RefereeState> last_;
-  std::optional<Sides> sides_;
+  std::optional<TeamSides> sides_;
   unsigned reported_ = 0;  // one bit for each Reason
   std::string complaint_;
 };

@@ -18,7 +18,7 @@ Places parse_places(std::string_view text, const std::string& name) {
     readers["player_" + std::to_string(i + 1)] = [&in, &place = places[i]](auto& key, auto& value) {
       const std::vector<double> numbers = in.numbers(key, value, 3, -kMostTurned, kMostTurned);
       if (const std::string mistake = mistake_in_pose(numbers[0], numbers[1], 0.0); !mistake.empty())
-        in.refuse(value, key + ": " + mistake);
+        in.refuse(value, std::string(key).append(": ").append(mistake));
       place = Pose2(numbers[0], numbers[1], from_degrees(numbers[2]));
     };
   }
