@@ -168,6 +168,7 @@ bool Recording::next_message(mcap::Message& message) {
       tally.bytes += message.data.size();
       return true;
     } catch (const mcap::Damage& damage) {  // the rest of the chunk is lost
+      losses_.unknown = true;
       add_damage(damage.what());
     }
   }
@@ -302,14 +303,19 @@ std::optional<std::uint64_t> Recording::stated_frames() const {
 
 Recording::Losses Recording::losses() const {
   Losses losses = losses_;
+  losses.unknown = false;
   if (!is_over_ || !is_read_from_begin_) return losses;
-  if (const std::optional<std::uint64_t> stated = stated_frames()) {
-    if (*stated > frames_) losses.frames = std::max(losses.frames, *stated - frames_);
-  } else {
-    // If the file ends between two records, no data is known to be lost.
-    const bool ends_between = contents_.damage && contents_.damage->where == source_->size();
-    losses.unknown = damages_.size() > (ends_between ? 1 : 0);
+  // Before the first and after the last frame, numbers of frames show no gap.
+  std::uint64_t found = 0;
+  for (const auto& [channel, tally] : tallies_) {
+    if (uses_.at(channel).kind == Use::Kind::frame) found += tally.messages;
   }
+  const std::optional<std::uint64_t> stated = stated_frames();
+  const std::uint64_t recorded = std::max(found, stated.value_or(0));
+  if (recorded > frames_) losses.frames = std::max(losses.frames, recorded - frames_);
+  // If the file ends between two records, no data is known to be lost.
+  const bool has_gap = contents_.damage && contents_.damage->where != source_->size();
+  losses.unknown = !stated && (losses_.unknown || has_gap);
   return losses;
 }
 
