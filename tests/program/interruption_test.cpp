@@ -58,17 +58,18 @@ TEST_P(InterruptedBy, WritesAllOutputsOfTheUnfinishedRun) {
 }
 
 TEST_P(InterruptedBy, ReportsTheTestsThatRan) {
-  const std::filesystem::path opened = folder.write("opened.mcap", "no recording");
-  folder.write("a_test.lua", "local opened = '" + opened.string() + "'\n" + R"(test("a", function() advance(1) end)
+  const std::filesystem::path scripts = copy_scripts(folder.path());
+  const std::filesystem::path opened = folder.write("scripts/tests/opened.mcap", "no recording");
+  const std::filesystem::path test = folder.write("scripts/tests/a_test.lua", R"(test("a", function() advance(1) end)
 test("b", function()
-  pcall(replay, opened)
+  pcall(replay, "opened.mcap")
   load_behavior "head_scan"
   load_behavior "penalty_marks"
   while true do advance(0) end
 end)
 test("c", function() end))");
   const OpenedFile b_runs(opened);
-  ChildProgram tests(folder.path(), {"test", (folder.path() / "a_test.lua").string(), "--junit",
+  ChildProgram tests(folder.path(), {"test", test.string(), "--scripts", scripts.string(), "--junit",
                                      (folder.path() / "junit.xml").string()});
   ASSERT_TRUE(tests.await("a_test.lua: a\n"));
   ASSERT_TRUE(b_runs.await()) << "the second test prints nothing, but opens a file";
