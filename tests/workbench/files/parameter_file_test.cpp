@@ -103,7 +103,8 @@ TEST_F(ParameterFile, MayHaveDifferentKeysOfTheSameLengthBeyondAscii) {
   EXPECT_EQ(values, expected);
   const std::string twice = refusal("\"\u00e4\" = 1\n\"\u00f6\" = 2\n\"a%25\u00e4\" = 3\n\"a%25\u00e4\" = 4\n");
   EXPECT_NE(twice.find("p.toml:4: "), std::string::npos) << twice;
-  EXPECT_NE(twice.find("cannot redefine existing integer '\"a%25\u00e4\""), std::string::npos) << twice;
+  EXPECT_NE(twice.find("cannot redefine existing integer"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("%25\u00e4\""), std::string::npos) << "the name as it is in the file: " << twice;
 }
 
 TEST_F(ParameterFile, MayHaveOtherLettersThanAsciiOnlyInQuotesAndComments) {
