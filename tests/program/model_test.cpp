@@ -277,11 +277,13 @@ TEST_F(ModelCommand, KeepsExistingFilesIfItsOutputCannotBeWritten) {
   const std::string out = (folder.path() / "out").string();
   for (const auto& words :
        {std::vector<std::string>{"model", "merge", one, other, "--out", out}, {"model", one, "--picture", out}}) {
-    folder.write("out", "what was here");
+    // A file of the same type, which would be replaced.
+    const std::string before = words[1] == "merge" ? read_text(other) : "\x89PNG, and what was here";
+    folder.write("out", before);
     ChildProgram run(folder.path(), words, files_up_to(4 * 1024));
     EXPECT_EQ(run.wait(), kBadInput) << words[1];
     EXPECT_NE(run.err().find("reorient: cannot write '" + out + "': File too large\n"), std::string::npos) << run.err();
-    EXPECT_EQ(read_text(out), "what was here");
+    EXPECT_EQ(read_text(out), before);
   }
 }
 
