@@ -64,6 +64,7 @@ std::string_view to_string(ParameterOrigin origin) {
 
 std::string to_text(const ParameterValue& value) {
   if (const auto* real = std::get_if<double>(&value)) {
+    if (std::isnan(*real)) return "nan";  // not "-nan": the sign of 0/0 depends on the processor
     char buffer[32];
     const auto [end, error] = std::to_chars(std::begin(buffer), std::end(buffer), *real);
     return {buffer, error == std::errc() ? end : buffer};

@@ -142,6 +142,17 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Sandboxed : public ScriptTest {};
 
+TEST_F(Sandboxed, WritesWhatIsNotANumberWithoutASign) {
+  load("numbers", R"(local negative, positive = -(0 / 0), 0 / 0
+for _, nan in ipairs { negative, positive } do
+  assert(tostring(nan) == "nan" and nan .. "" == "nan" and table.concat { nan } == "nan")
+  assert(string.format("%s|%g|%.1f|%6.2f|%-6e|%A|%%", nan, nan, nan, nan, nan, nan) == "nan|nan|nan|   nan|nan   |NAN|%")
+end
+assert(string.format("%5.1f|%g|%d|%x|%s", -2.25, -math.huge, -3, 255, "-nan") == " -2.2|-inf|-3|ff|-nan")
+behavior "numbers" {})");
+  EXPECT_EQ(host().definitions().size(), 1u);
+}
+
 TEST_F(Sandboxed, NoFunctionLeavesTheSandbox) {
   for (const char* name :
        {"io", "os", "debug", "package", "load", "loadstring", "loadfile", "dofile", "collectgarbage", "coroutine", "_G",

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/files/csv_text.h"
 
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "engine/parameters/parameter.h"
 
 namespace reorient {
 namespace {
@@ -29,6 +32,13 @@ TEST(CsvCell, IsNoFormulaOfASpreadsheet) {
 TEST(CsvCell, OfANumberIsUnchanged) {
   for (const std::string text : {"-1", "+1", "-0.5", "-1e-9", "-1e999", "-inf", "+inf", "-nan", "0", "12"})
     EXPECT_EQ(csv_cell(text), text);
+}
+
+TEST(ParameterText, OfWhatIsNotANumberHasNoSign) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(to_text(ParameterValue(kNan)), "nan");
+  EXPECT_EQ(to_text(ParameterValue(-kNan)), "nan");
+  EXPECT_EQ(to_text(ParameterValue(-1.5)), "-1.5");
 }
 
 }  // namespace
