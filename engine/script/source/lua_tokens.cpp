@@ -168,6 +168,10 @@ class Tokenizer {
 
 }  // namespace
 
-std::vector<LuaToken> lua_tokens(std::string_view text) { return Tokenizer(text).all(); }
+std::vector<LuaToken> lua_tokens(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // as Sandbox::compile() accepts it
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  return Tokenizer(text).all();
+}
 
 }  // namespace reorient

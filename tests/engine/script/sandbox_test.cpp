@@ -142,6 +142,26 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Sandboxed : public ScriptTest {};
 
+TEST_F(Sandboxed, ReportsAnEndlessLoopOfALibraryAtItsOwnLine) {
+  folder.write("lib/endless.lua", "local library = {}\nwhile true do end\nreturn library");
+  folder.write("lib/between.lua", "return require \"lib.endless\"");
+  const ScriptFault fault = refusal("\n\n\nrequire \"lib.between\" behavior \"refused\" {}");
+  EXPECT_EQ(fault.file, "lib/endless.lua");
+  EXPECT_EQ(fault.line, 2);
+  EXPECT_NE(fault.message.find("endless loop"), std::string::npos) << fault.message;
+}
+
+TEST_F(Sandboxed, AcceptsAByteOrderMarkAtTheBeginningOfAFileOnly) {
+  load("windows", "\xEF\xBB\xBF-- saved on Windows\r\nbehavior \"windows\" { state \"a\" { { \"a\", after = 1 } } }");
+  EXPECT_EQ(host().definitions().size(), 1u);
+  const ScriptFault fault = refusal("\xEF\xBB\xBFlocal a =\n+");
+  EXPECT_EQ(fault.line, 2);
+  EXPECT_NE(refusal("\n\xEF\xBB\xBF"
+                    "behavior \"refused\" {}")
+                .message.find("near"),
+            std::string::npos);
+}
+
 TEST_F(Sandboxed, WritesWhatIsNotANumberWithoutASign) {
   load("numbers", R"(local negative, positive = -(0 / 0), 0 / 0
 for _, nan in ipairs { negative, positive } do
