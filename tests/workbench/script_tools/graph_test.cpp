@@ -35,21 +35,21 @@ behavior "drawn" {
 
 TEST_F(GraphTest, IsAMermaidStateDiagram) {
   EXPECT_EQ(to_mermaid({&machine(), 1}), R"(stateDiagram-v2
-  [*] --> at_rest
-  state "at rest" as at_rest
-  state "moving" as moving
-  state moving {
-    [*] --> moving_slow
-    state "slow" as moving_slow
-    state "fast" as moving_fast
+  [*] --> drawn_at_rest
+  state "at rest" as drawn_at_rest
+  state "moving" as drawn_moving
+  state drawn_moving {
+    [*] --> drawn_moving_slow
+    state "slow" as drawn_moving_slow
+    state "fast" as drawn_moving_fast
   }
-  state "down" as down
-  state "any state" as any_state
-  any_state --> down : the robot 'fell'#58; down [for 0.2 s]
-  at_rest --> moving : time to go [for wait]
-  moving_slow --> moving_fast : after 1 s
-  moving_fast --> at_rest : tired [after wait]
-  down --> at_rest : after 2 s
+  state "down" as drawn_down
+  state "any state" as drawn_any_state
+  drawn_any_state --> drawn_down : the robot #34;fell#34;#58; down [for 0.2 s]
+  drawn_at_rest --> drawn_moving : time to go [for wait]
+  drawn_moving_slow --> drawn_moving_fast : after 1 s
+  drawn_moving_fast --> drawn_at_rest : tired [after wait]
+  drawn_down --> drawn_at_rest : after 2 s
 )");
 }
 
@@ -57,21 +57,21 @@ TEST_F(GraphTest, IsAGraphvizDigraphWithClusters) {
   EXPECT_EQ(to_dot({&machine(), 1}), R"(digraph "drawn" {
   compound=true;
   node [shape=box, style=rounded];
-  start [shape=point];
-  any_state [label="any state", style="rounded,dashed"];
-  at_rest [label="at rest"];
-  subgraph cluster_moving {
+  drawn_start [shape=point];
+  drawn_any_state [label="any state", style="rounded,dashed"];
+  drawn_at_rest [label="at rest"];
+  subgraph cluster_drawn_moving {
     label="moving";
-    moving_slow [label="slow"];
-    moving_fast [label="fast"];
+    drawn_moving_slow [label="slow"];
+    drawn_moving_fast [label="fast"];
   }
-  down [label="down"];
-  start -> at_rest;
-  any_state -> down [label="the robot \"fell\": down [for 0.2 s]", style=dashed];
-  at_rest -> moving_slow [label="time to go [for wait]", lhead=cluster_moving];
-  moving_slow -> moving_fast [label="after 1 s"];
-  moving_fast -> at_rest [label="tired [after wait]"];
-  down -> at_rest [label="after 2 s"];
+  drawn_down [label="down"];
+  drawn_start -> drawn_at_rest;
+  drawn_any_state -> drawn_down [label="the robot \"fell\": down [for 0.2 s]", style=dashed];
+  drawn_at_rest -> drawn_moving_slow [label="time to go [for wait]", lhead=cluster_drawn_moving];
+  drawn_moving_slow -> drawn_moving_fast [label="after 1 s"];
+  drawn_moving_fast -> drawn_at_rest [label="tired [after wait]"];
+  drawn_down -> drawn_at_rest [label="after 2 s"];
 }
 )");
 }
@@ -80,8 +80,8 @@ TEST_F(GraphTest, DistinguishesStatesWhoseNamesDifferInOneCharacter) {
   load("similar", R"(behavior "similar" { initial = "a b",
   state "a b" { { "a_b", after = 1 } }, state "a_b" { { "a b", after = 1 } } })");
   const std::string text = to_mermaid({host().definitions().front(), 1});
-  EXPECT_NE(text.find("state \"a b\" as a_b\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("state \"a_b\" as a_b_2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("state \"a b\" as similar_a_b\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("state \"a_b\" as similar_a_b_2\n"), std::string::npos) << text;
 }
 
 TEST_F(GraphTest, EscapesUnprintableText) {
@@ -93,6 +93,26 @@ TEST_F(GraphTest, EscapesUnprintableText) {
     EXPECT_NE(text.find("xFF"), std::string::npos) << text;
     EXPECT_EQ(text.find('\x1B'), std::string::npos) << text;
   }
+}
+
+TEST_F(GraphTest, EscapesWhatMermaidAndGraphvizWouldRead) {
+  load("keywords", R"(behavior "keywords" { initial = "default",
+  state "default" { { "note", after = 1, because = "a; %%{init: 1}%% `b` | <c> & {d} @e" } },
+  state "note" { { "end", when = function() return true end, because = " " } },
+  state "end" { { "node", after = 1 } }, state "node" {} })");
+  const MachineDefinition& drawn = *host().definitions().front();
+  EXPECT_EQ(to_mermaid({&drawn, 1}), R"(stateDiagram-v2
+  [*] --> keywords_default
+  state "default" as keywords_default
+  state "note" as keywords_note
+  state "end" as keywords_end
+  state "node" as keywords_node
+  keywords_default --> keywords_note : a#59; #37;#37;#123;init#58; 1#125;#37;#37; #96;b#96; #124; #60;c#62; #38; #123;d#125; #64;e [after 1 s]
+  keywords_note --> keywords_end : #32;
+  keywords_end --> keywords_node : after 1 s
+)");
+  EXPECT_NE(to_dot({&drawn, 1}).find("  keywords_node [label=\"node\"];\n"), std::string::npos)
+      << "a node of its own, because node sets defaults";
 }
 
 class GraphOfSeveral : public ScriptTest {
@@ -191,7 +211,7 @@ TEST_F(GraphOfSeveral, IsAMermaidFlowchartWithDashedLinks) {
     walker_waiting("waiting")
     walker_down("down")
     walker_any_state -->|"fell"| walker_down
-    walker_walking -->|"#lt;search#gt; 'now'"| walker_waiting
+    walker_walking -->|"#60;search#62; #34;now#34;"| walker_waiting
     walker_waiting -->|"its condition held"| walker_walking
     walker_down -->|"its condition held"| walker_walking
   end

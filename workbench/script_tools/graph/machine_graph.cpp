@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstddef>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "engine/parameters/utf8.h"
@@ -19,15 +20,23 @@ std::string with(std::string text, char from, const std::string& to) {
   return text;
 }
 
-/// Replaces characters that would end a line, a label or a statement of Mermaid.
+/// The text as Mermaid shows it: all characters that may have a meaning in its grammar, in its directives, in Markdown
+/// or in HTML are entity codes.
 std::string mermaid_text(const std::string& text) {
-  return with(with(with(as_line(text), '#', "#35;"), '"', "'"), ':', "#58;");
+  constexpr std::string_view kPlain = " _.,()[]=+/-'?!";
+  std::string out;
+  for (const char letter : as_line(text)) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (code >= 0x80 || std::isalnum(code) != 0 || kPlain.find(letter) != std::string_view::npos) {
+      out += letter;
+    } else {
+      out += "#" + std::to_string(code) + ";";
+    }
+  }
+  return out.empty() ? "#32;" : out;  // a label must not be empty
 }
 
-/// The text in quotes, without markup.
-std::string mermaid_label(const std::string& text) {
-  return '"' + with(with(with(mermaid_text(text), '<', "#lt;"), '>', "#gt;"), '`', "'") + '"';
-}
+std::string mermaid_label(const std::string& text) { return '"' + mermaid_text(text) + '"'; }
 
 /// The text in quotes, for Graphviz.
 std::string dot_text(const std::string& text) {
@@ -61,7 +70,7 @@ std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> mach
   };
   std::vector<DrawnMachine> all;
   for (const MachineDefinition& machine : machines) {
-    const std::string prefix = machines.size() == 1 ? "" : machine.name + "_";
+    const std::string prefix = machine.name + "_";  // a state's name alone may be a keyword
     DrawnMachine drawn{machine, fresh(machine.name + "_machine"), {}, {}};
     for (const StateDefinition& state : machine.states) {
       std::string path = state.path.empty() ? "any_state" : state.path;
