@@ -14,22 +14,13 @@
 #include <unistd.h>
 
 #include "engine/script/script_texts.h"
+#include "workbench/files/folder_tree.h"
 
 namespace reorient {
 namespace {
 
 constexpr std::uint32_t kEvents = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |
                                   IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
-constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
-
-/// The folder and all files and folders below it. A folder that is removed meanwhile ends the listing.
-template <typename Visit>
-void visit_below(const std::filesystem::path& folder, const Visit& visit) {
-  std::error_code error;
-  for (std::filesystem::recursive_directory_iterator entry(folder, kSkip, error), end; !error && entry != end;
-       entry.increment(error))
-    visit(*entry);
-}
 
 }  // namespace
 

@@ -2,24 +2,15 @@
 #include "workbench/files/script_files.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
+
+#include "workbench/files/folder_tree.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
 
 constexpr std::size_t kMostEntries = 20'000;  // files and folders; a folder with more is not a folder of scripts
-
-bool is_below(const std::filesystem::path& file, const std::filesystem::path& root) {
-  const auto [end, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-  return end == root.end() || (std::next(end) == root.end() && end->empty());
-}
-
-ScriptText unusable() {
-  return {"", "expected a plain file of at most " + std::to_string(kLargestScript / 1024) +
-                  " KiB below the scripts' root, found another one"};
-}
 
 bool is_script(const std::string& file) {
   return file.ends_with(".lua") && !file.starts_with("tests/") && !file.starts_with("annotations/");
@@ -29,19 +20,12 @@ bool is_script(const std::string& file) {
 
 std::optional<ScriptText> read_script(const std::filesystem::path& root, const std::string& file) {
   std::error_code error;
-  const std::filesystem::path wanted = root / file;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(wanted, error))) return std::nullopt;
-  const std::filesystem::path true_root = std::filesystem::canonical(root, error);
-  if (error) return std::nullopt;
-  // Follow symbolic links first, so that no link leads out of the root.
-  const std::filesystem::path plain = std::filesystem::canonical(wanted, error);
-  if (error || !is_below(plain, true_root) || !std::filesystem::is_regular_file(plain, error)) return unusable();
-  if (std::filesystem::file_size(plain, error) > kLargestScript || error) return unusable();
-  std::ifstream in(plain, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || text.str().size() > kLargestScript) return unusable();
-  return ScriptText{std::move(text).str(), ""};
+  if (!std::filesystem::exists(std::filesystem::symlink_status(root / file, error))) return std::nullopt;
+  try {
+    return ScriptText{read_input(root / file, "a script", kLargestScript), ""};
+  } catch (const std::runtime_error& reason) {
+    return ScriptText{"", reason.what()};
+  }
 }
 
 ScriptTexts read_scripts(const std::filesystem::path& root) {
@@ -50,17 +34,14 @@ ScriptTexts read_scripts(const std::filesystem::path& root) {
     throw std::runtime_error(root.string() + ": expected a folder of scripts, found none");
   ScriptTexts texts(root.string());
   std::size_t entries = 0;
-  // Skip unreadable folders; the others are still read.
-  constexpr auto kSkip = std::filesystem::directory_options::skip_permission_denied;
-  for (std::filesystem::recursive_directory_iterator entry(root, kSkip, error), end; !error && entry != end;
-       entry.increment(error)) {
+  error = visit_below(root, [&](const std::filesystem::directory_entry& entry) {
     if (++entries > kMostEntries)
       throw std::runtime_error(root.string() + ": expected at most " + std::to_string(kMostEntries) +
                                " files and folders, found more; name the folder that contains only scripts");
-    const std::string file = entry->path().lexically_relative(root).generic_string();
-    if (!is_script(file)) continue;
+    const std::string file = entry.path().lexically_relative(root).generic_string();
+    if (!is_script(file)) return;
     if (std::optional<ScriptText> text = read_script(root, file)) texts.apply({file, std::move(text)});
-  }
+  });
   if (error) throw std::runtime_error(root.string() + ": the folder cannot be read completely: " + error.message());
   return texts;
 }

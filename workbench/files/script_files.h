@@ -13,8 +13,8 @@
 
 namespace reorient {
 
-/// All files *.lua below the root, except what lies below tests/ and annotations/. Symbolic links are followed as far
-/// as they stay below the root. A file that cannot be used is listed with the reason. Throws std::runtime_error with
+/// All files *.lua below the root, except what lies below tests/ and annotations/. Links are followed, since the
+/// owner of the folder made them. A file that cannot be used is listed with the reason. Throws std::runtime_error with
 /// one line if the folder does not exist, or if it contains too many files for a folder of scripts.
 ScriptTexts read_scripts(const std::filesystem::path& root);
 

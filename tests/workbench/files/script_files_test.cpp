@@ -39,19 +39,37 @@ TEST_F(ScriptFilesTest, ThatCannotBeUsedReportTheReason) {
   std::filesystem::create_directories(folder_.path() / "behaviors" / "folder.lua");
   EXPECT_NE(problem("behaviors/large.lua").find("of at most 64 KiB"), std::string::npos);
   EXPECT_EQ(problem("behaviors/full.lua"), "");
-  EXPECT_NE(problem("behaviors/folder.lua").find("expected a plain file"), std::string::npos);
+  EXPECT_EQ(problem("behaviors/folder.lua"), "expected a script, found a folder");
 }
 
-TEST_F(ScriptFilesTest, ALinkOutOfTheRootIsRefused) {
+TEST_F(ScriptFilesTest, BehindLinksAreReadToo) {
   const TemporaryFolder elsewhere;
-  elsewhere.write("secret.lua", "return 1");
+  elsewhere.write("installed.lua", "return 1");
+  elsewhere.write("more/b.lua", "return 3");
   folder_.write("behaviors/here.lua", "return 2");
-  std::filesystem::create_symlink(elsewhere.path() / "secret.lua", folder_.path() / "behaviors" / "out.lua");
-  std::filesystem::create_symlink("here.lua", folder_.path() / "behaviors" / "in.lua");
-  std::filesystem::create_symlink("out of the blue", folder_.path() / "behaviors" / "gone.lua");
-  EXPECT_NE(problem("behaviors/out.lua").find("below the scripts' root"), std::string::npos);
-  EXPECT_NE(problem("behaviors/gone.lua").find("expected a plain file"), std::string::npos);
-  EXPECT_EQ(problem("behaviors/in.lua"), "");
+  const std::filesystem::path behaviors = folder_.path() / "behaviors";
+  std::filesystem::create_symlink(elsewhere.path() / "installed.lua", behaviors / "out.lua");
+  std::filesystem::create_symlink("here.lua", behaviors / "in.lua");
+  std::filesystem::create_symlink("out of the blue", behaviors / "gone.lua");
+  std::filesystem::create_symlink("loop.lua", behaviors / "loop.lua");
+  std::filesystem::create_directory_symlink(elsewhere.path() / "more", behaviors / "more");
+  const ScriptTexts texts = read();
+  EXPECT_EQ(texts.find("behaviors/out.lua")->text, "return 1");
+  EXPECT_EQ(texts.find("behaviors/in.lua")->text, "return 2");
+  EXPECT_EQ(texts.find("behaviors/more/b.lua")->text, "return 3");
+  EXPECT_EQ(problem("behaviors/gone.lua"), "expected a script, found a link to a missing file");
+  EXPECT_EQ(problem("behaviors/loop.lua"),
+            "expected a script, found one that cannot be read: Too many levels of symbolic links");
+}
+
+TEST_F(ScriptFilesTest, BehindLinksInACircleAreReadOnce) {
+  folder_.write("behaviors/a.lua", "return 1");
+  folder_.write("lib/b.lua", "return 2");
+  std::filesystem::create_directory_symlink("..", folder_.path() / "behaviors" / "up");
+  std::filesystem::create_directory_symlink("../behaviors", folder_.path() / "lib" / "across");
+  const std::vector<std::string> files = read().files();
+  EXPECT_NE(std::find(files.begin(), files.end(), "lib/across/a.lua"), files.end());
+  EXPECT_LE(files.size(), 6u);
 }
 
 TEST_F(ScriptFilesTest, AMissingFolderIsReportedInOneLine) {

@@ -254,8 +254,7 @@ TEST_F(ScriptCheckTest, ReportsASyntaxErrorWithItsColumn) {
 TEST_F(ScriptCheckTest, ReportsAScriptThatIsTooLargeToBeLoadedBetweenTwoFrames) {
   folder.write("behaviors/large.lua", "behavior \"large\" {}" + std::string(kLargestScript, ' '));
   EXPECT_EQ(findings(),
-            "behaviors/large.lua: error: expected a plain file of at most 64 KiB below the scripts' root, found "
-            "another one\n");
+            "behaviors/large.lua: error: expected a script of at most 64 KiB, found a larger one (65 KiB)\n");
 }
 
 TEST_F(ScriptCheckTest, ReportsABrokenLibraryOnce) {
