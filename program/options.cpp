@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <iterator>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 
 #include "engine/parameters/nearest_name.h"
 #include "program/former_names.h"
@@ -102,8 +104,15 @@ void add_scripts_option(CLI::App& parser, std::filesystem::path& scripts, const 
 }
 
 std::filesystem::path scripts_root(const std::filesystem::path& given, Scripts scripts) {
-  if (given.empty()) return find_home() / "scripts";
   std::error_code error;
+  if (given.empty()) {
+    std::filesystem::path used = find_home() / "scripts";
+    const std::filesystem::path other = other_home_around(std::filesystem::current_path(error));
+    if (!other.empty() && std::getenv("REORIENT_HOME") == nullptr)
+      spdlog::warn("the scripts of {} are used, not those of {}; choose with --scripts or REORIENT_HOME", used.string(),
+                   (other / "scripts").string());
+    return used;
+  }
   if (!std::filesystem::is_directory(given, error))
     throw std::runtime_error("--scripts " + given.string() + ": expected a folder of scripts, found none");
   constexpr const char* kFolders[] = {"behaviors", "scenarios", "lib", "tests"};

@@ -1,46 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "program/program.h"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <poll.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "engine/parameters/utf8.h"
 #include "program/command_line_error.h"
 #include "program/help.h"
 #include "program/interruption.h"
 #include "program/limits.h"
+#include "program/log.h"
+#include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/recording/mcap/source.h"
 
 namespace reorient {
 namespace {
 
-/// NO_COLOR: https://no-color.org
-spdlog::color_mode color_mode(const std::string& asked) {
-  if (asked == "always") return spdlog::color_mode::always;
-  const char* const no_color = std::getenv("NO_COLOR");
-  const bool is_unwanted = asked == "never" || (no_color != nullptr && *no_color != '\0');
-  return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
-}
-
 /// Whether the standard output is a pipe whose reader has ended, as head does.
 bool has_reader_ended() {
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
   return poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
+}
+
+/// The words behind the program's name, in reverse order as the parser takes them. `--set NAME VALUE`, the form of the
+/// prompt, becomes `--set NAME=VALUE`.
+std::vector<std::string> reversed_words(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const bool names_value = words.size() > 1 && words.end()[-2] == "--set" &&
+                             words.back().find('=') == std::string::npos &&
+                             !std::string_view(argv[i]).starts_with("--");
+    if (names_value)
+      words.back().append("=").append(argv[i]);
+    else
+      words.emplace_back(argv[i]);
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
 }
 
 int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
@@ -73,9 +83,10 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
                 {"reorient test", "the scripted behavior tests"},
                 {"reorient run --help", "the options of a command"}},
                "Exit codes: 0 success (the robot ended right, all tests passed, no errors found), 1 failure, 2 invalid "
-               "input or an output that could not be written.");
+               "input or an output that could not be written. Environment: REORIENT_HOME names the folder with "
+               "scripts/behaviors and assets/ (default: the program's own); NO_COLOR switches colors off.");
   try {
-    app.parse(argc, argv);
+    app.parse(reversed_words(argc, argv));
   } catch (const CLI::CallForHelp&) {
     out << asked_of(app).help();
     return kSuccess;
@@ -83,18 +94,14 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     out << asked.what() << "\n";
     return kSuccess;
   } catch (const CLI::ParseError& error) {
-    err << "reorient: " << as_line(text_of(error, app, subcommands)) << "\n";
+    print_error(err, text_of(error, app, subcommands));
     return kBadInput;
   }
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>(
-      "reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(color_mode(color))));
-  spdlog::set_level(spdlog::level::from_str(log_level));
-  // On a terminal a log line takes the place of the progress line, which is drawn again below it.
-  spdlog::set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K[%T] [%^%l%$] %v" : "[%T] [%^%l%$] %v");
+  set_up_log(log_level, color);
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }
-  err << "reorient: " << missing_command(app) << " (see reorient --help)\n";
+  print_error(err, missing_command(app) + " (see reorient --help)");
   return kBadInput;
 }
 
@@ -102,31 +109,32 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
 
 int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   if (const std::string shortage = stack_shortage(); !shortage.empty()) {
-    err << "reorient: " << shortage << '\n';
+    print_error(err, shortage);
     return kBadInput;
   }
   name_memory_shortage();
+  SafeOutput safe_out(out), safe_err(err);
+  std::ostream printed(&safe_out), reported(&safe_err);
   try {
-    const int code = parse_and_run(argc, argv, out, err);
-    if (out.flush()) return code;
+    const int code = parse_and_run(argc, argv, printed, reported);
+    if (printed.flush()) return code;
     if (has_reader_ended()) return exit_code_of(SIGPIPE);  // as usual in a pipe: the reader has what it wanted
-    err << "reorient: cannot write to the standard output; check the free space of the disk\n";
+    print_error(reported, "cannot write to the standard output; check the free space of the disk");
     return kBadInput;
   } catch (const mcap::Stopped&) {
     return exit_code_of(Interruption::signal());
   } catch (const std::bad_alloc&) {  // also of libraries that allocate by themselves
-    err << "reorient: " << memory_shortage() << '\n';
+    print_error(reported, memory_shortage());
     return kBadInput;
   } catch (const std::system_error& error) {
     const bool is_shortage = error.code() == std::errc::resource_unavailable_try_again;
-    err << "reorient: "
-        << (is_shortage ? "expected another thread or process, found a limit of this user or of its memory (ulimit -u, "
-                          "ulimit -v)"
-                        : as_line(error.what()))
-        << '\n';
+    print_error(reported, is_shortage
+                              ? "expected another thread or process, found a limit of this user or of its memory "
+                                "(ulimit -u, ulimit -v)"
+                              : error.what());
     return kBadInput;
   } catch (const std::exception& error) {
-    err << "reorient: " << as_line(error.what()) << '\n';
+    print_error(reported, error.what());
     return kBadInput;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/parameters/utf8.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,6 +25,33 @@ std::size_t first_letter(std::string_view text) {
   return code < kLeast[size] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF) ? 0 : size;
 }
 
+/// Whether a terminal or a viewer may execute the letter instead of showing it.
+bool is_control(std::string_view letter) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(letter[i]); };
+  if (letter.size() == 1) return (byte(0) < ' ' && letter != "\n" && letter != "\t") || byte(0) == 0x7F;
+  if (letter.size() == 2) return byte(0) == 0xC2 && byte(1) < 0xA0;  // U+0080 to U+009F
+  if (letter.size() != 3 || byte(0) != 0xE2) return false;
+  return (byte(1) == 0x80 && byte(2) >= 0xA8 && byte(2) <= 0xAE) ||  // U+2028 to U+202E
+         (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);    // U+2066 to U+2069
+}
+
+/// Escapes invalid bytes, and the letters for which `is_unwanted` holds.
+std::string escaped(std::string_view text, bool (*is_unwanted)(std::string_view letter)) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t size = first_letter(text);
+    const std::string_view letter = text.substr(0, std::max<std::size_t>(size, 1));
+    if (size == 0 || is_unwanted(letter)) {
+      out += written_out(letter);
+    } else {
+      out += letter;
+    }
+    text.remove_prefix(letter.size());
+  }
+  return out;
+}
+
 }  // namespace
 
 bool is_utf8(std::string_view text) {
@@ -36,28 +64,13 @@ bool is_utf8(std::string_view text) {
 }
 
 std::string as_utf8(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  while (!text.empty()) {
-    const std::size_t size = first_letter(text);
-    out += size == 0 ? written_out(text.substr(0, 1)) : std::string(text.substr(0, size));
-    text.remove_prefix(size == 0 ? 1 : size);
-  }
-  return out;
+  return escaped(text, [](std::string_view) { return false; });
 }
 
 std::string as_line(std::string_view text) {
-  std::string out;
-  for (const char letter : as_utf8(text)) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (letter == '\n' || letter == '\t') {
-      out += ' ';
-    } else if (code < ' ' || code == 0x7F) {
-      out += written_out({&letter, 1});
-    } else {
-      out += letter;
-    }
-  }
+  std::string out = escaped(text, is_control);
+  std::replace_if(
+      out.begin(), out.end(), [](char letter) { return letter == '\n' || letter == '\t'; }, ' ');
   while (out.ends_with(' ')) out.pop_back();
   return out;
 }

@@ -23,6 +23,7 @@
 #include "program/run/nao/nao_hardware.h"
 #include "program/run/places.h"
 #include "program/run/venue.h"
+#include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
@@ -68,10 +69,9 @@ std::array<CalibrationShots, 2> look(const CalibrateOptions& options, const Robo
   robot_options.body = body;
   robot_options.width = options.width;
   robot_options.stands_at_once = true;
-  nao::Nao robot(robot_options, hardware.surroundings([] { return Interruption::signal() != 0; },
-                                                      [&err](const std::string& missing) {
-                                                        err << "reorient: " << missing << '\n' << std::flush;
-                                                      }));
+  nao::Nao robot(robot_options,
+                 hardware.surroundings([] { return Interruption::signal() != 0; },
+                                       [&err](const std::string& missing) { print_error(err, missing); }));
   return look_about(robot, body, field);
 }
 

@@ -28,6 +28,7 @@
 #include "program/named_files.h"
 #include "program/program.h"
 #include "program/run/run_scenario.h"
+#include "program/safe_output.h"
 #include "program/shell_word.h"
 #include "program/subcommand.h"
 #include "workbench/experiments/trial/trial_observer.h"
@@ -204,7 +205,7 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
       failures.push_back(std::move(failure));
     out << "\nreport: " << (options.report / "index.html").string() << "\n";
   }
-  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  for (const std::string& failure : failures) print_error(err, failure);
   return failures.empty() ? kSuccess : kBadInput;
 }
 

@@ -25,6 +25,7 @@
 #include "program/help.h"
 #include "program/interruption.h"
 #include "program/program.h"
+#include "program/safe_output.h"
 #include "program/shell_word.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/script_files.h"
@@ -237,7 +238,7 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
     for (std::string& failure : write_report(report, options.report)) failures.push_back(std::move(failure));
     out << "\nreport: " << (options.report / "index.html").string() << "\n";
   }
-  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  for (const std::string& failure : failures) print_error(err, failure);
   return failures.empty() ? kSuccess : kBadInput;
 }
 

@@ -24,6 +24,7 @@
 #include "program/recording/damages.h"
 #include "program/recording/recorded_times.h"
 #include "program/run/run_recording.h"
+#include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/csv.h"
@@ -171,7 +172,7 @@ int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostre
     throw std::runtime_error(options.file.string() +
                              ": expected frames that can be replayed, found none; see 'reorient recording info'");
   const std::vector<std::string> failures = pictures.write(folder);
-  for (const std::string& failure : failures) err << "reorient: " << failure << '\n';
+  for (const std::string& failure : failures) print_error(err, failure);
   out << fmt::format("pictures of {:.2f} s: {}/\n", time, folder.string());
   if (!failures.empty()) return kBadInput;
   return time + kReadingError < options.at ? kWrong : kSuccess;  // the frames up to this time are lost

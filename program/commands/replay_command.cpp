@@ -21,6 +21,7 @@
 #include "program/program.h"
 #include "program/recording/damages.h"
 #include "program/recording/recorded_times.h"
+#include "program/safe_output.h"
 #include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/script_files.h"

@@ -23,6 +23,7 @@
 #include "program/program.h"
 #include "program/recording/test_replay.h"
 #include "program/run/simulation.h"
+#include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/run/run_loop.h"
@@ -55,12 +56,12 @@ class TestProgress : public Observer {
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     if (Clock::now() < next_) return;
     next_ = Clock::now() + (is_terminal_ ? kSoon : kPause);
-    err_ << (is_terminal_ ? "\r\x1B[K" : "") << fmt::format("{:.0f} s simulated  {}", frame.world.time, test_)
-         << (is_terminal_ ? "" : "\n") << std::flush;
+    if (is_terminal_) clear_terminal_line(err_);
+    err_ << fmt::format("{:.0f} s simulated  {}", frame.world.time, test_) << (is_terminal_ ? "" : "\n") << std::flush;
     is_shown_ = is_terminal_;
   }
   void clear() {
-    if (std::exchange(is_shown_, false)) err_ << "\r\x1B[K" << std::flush;
+    if (std::exchange(is_shown_, false)) clear_terminal_line(err_);
   }
 
  private:
@@ -161,7 +162,7 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
       for (std::string& failure : report_coverage(trace, run.scripts_root, out)) failures.push_back(std::move(failure));
     });
   }
-  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  for (const std::string& failure : failures) print_error(err, failure);
   if (!failures.empty()) return kBadInput;
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   return summary.failed == 0 ? kSuccess : kWrong;

@@ -116,8 +116,8 @@ std::string differences(const Origin& found, const Origin& expected) {
     return value == origin.end() ? "none" : value->second;
   };
   const auto shown = [](const std::string& value) {
-    constexpr std::size_t kLongest = 40;
-    return as_line(value.substr(0, kLongest));
+    constexpr std::size_t kShown = 40;
+    return as_line(value.substr(0, kShown));
   };
   constexpr std::size_t kMost = 3;
   std::string list;

@@ -8,12 +8,12 @@
 
 #include "engine/parameters/counted.h"
 #include "engine/parameters/utf8.h"
+#include "program/safe_output.h"
 
 namespace reorient {
 
 void tell_damages(const Recording& recording, std::ostream& err) {
-  for (const std::string& damage : recording.damages())
-    err << "reorient: " << as_line(recording.name()) << ": " << damage << '\n';
+  for (const std::string& damage : recording.damages()) print_error(err, recording.name() + ": " + damage);
 }
 
 std::string text_of(const Recording::Losses& losses) {

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "program/interruption.h"
+#include "program/log.h"
 #include "program/program.h"
 #include "program/robots.h"
+#include "program/safe_output.h"
 #include "workbench/files/atomic_file.h"
 
 namespace reorient {
@@ -25,7 +27,7 @@ LiveRun::LiveRun(const RunOptions& options, LiveConsole& console, std::ostream& 
 void LiveRun::tell(const std::string& line) {
   progress_.make_room();
   console_.make_room();
-  err_ << "reorient: " << line << '\n' << std::flush;
+  print_error(err_, line);
 }
 
 RunEnd LiveRun::run(LiveRunParts live) {
@@ -48,6 +50,7 @@ RunEnd LiveRun::run(LiveRunParts live) {
   };
   const RunEnd end = RunLoop(std::move(live.parts)).run();
   progress_.end();
+  set_log_time({});
   return end;
 }
 

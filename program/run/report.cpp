@@ -54,8 +54,11 @@ std::string bias_in_words(const CameraBias& bias) {
 }  // namespace
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
-  const char* const judgement = !summary.succeeded ? "wrong" : summary.error ? "right" : "not judged";
-  out << fmt::format("\n{}: {}\n", judgement, summary.verdict);
+  const char* const judgement = circumstances.has_quit ? "not judged"
+                                : !summary.succeeded   ? "wrong"
+                                : summary.error        ? "right"
+                                                       : "not judged";
+  out << fmt::format("\n{}: {}\n", judgement, as_line(summary.verdict));
   if (summary.corrected_after) {
     out << fmt::format("  belief wrong at {:.1f} s, corrected after {:.1f} s\n", *summary.belief_wrong_at,
                        *summary.corrected_after);
@@ -69,8 +72,8 @@ void print_summary(const RunSummary& summary, const RunCircumstances& circumstan
   }
   if (const std::string bias = bias_in_words(summary.camera_bias); !bias.empty()) out << "  " << bias << '\n';
   for (const StoppedScript& script : summary.stopped) {
-    out << fmt::format("  {} was stopped: {}, the last: {}\n", script.script, counted(script.errors, "error"),
-                       script.last);
+    out << fmt::format("  {} was stopped: {}, the last: {}\n", as_line(script.script), counted(script.errors, "error"),
+                       as_line(script.last));
   }
   out << fmt::format("  {}, {}, {}\n", counted(summary.flips, "flip"), counted(summary.purges, "purge"),
                      counted(summary.resets, "reset"));
@@ -87,8 +90,10 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
       {"room", circumstances.room},
       {"seed", circumstances.seed},
       {"room_awareness", circumstances.room_awareness},
+      {"scripts", circumstances.scripts.string()},
+      {"assets", circumstances.assets.string()},
       {"correct", summary.error ? nlohmann::json(summary.correct) : nlohmann::json()},
-      {"succeeded", summary.succeeded},
+      {"succeeded", circumstances.has_quit ? nlohmann::json() : nlohmann::json(summary.succeeded)},
       {"verdict", summary.verdict},
       {"belief_wrong_at_seconds", or_null(summary.belief_wrong_at)},
       {"corrected_after_seconds", or_null(summary.corrected_after)},

@@ -18,12 +18,15 @@ struct RunCircumstances {
   std::string room;
   std::uint64_t seed = 0;
   bool room_awareness = true;
-  double wall_seconds = 0.0;  ///< duration of the run
+  std::filesystem::path scripts;  ///< folder in use
+  std::filesystem::path assets;   ///< folder in use
+  double wall_seconds = 0.0;      ///< duration of the run
   std::string digest;
   TimeQuantiles frame_time;                    ///< s in wall-clock time, reloads included
   TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's
   int reloads_accepted = 0;
   int reloads_rejected = 0;
+  bool has_quit = false;  ///< the operator ended the run before its scenario did, so it is not judged
 };
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out);

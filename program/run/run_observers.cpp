@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 #include "engine/parameters/counted.h"
+#include "program/log.h"
+#include "program/safe_output.h"
 #include "workbench/run/log_lines.h"
 
 namespace reorient {
@@ -75,20 +77,20 @@ void Progress::observe(const FrameRecord& frame, const SceneTruth& scene) {
     states += "  " + scene.scenario.name(machine.machine) + ": " + scene.scenario.name(machine.state);
   const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const Confidences& confidence = frame.world.confidence;
-  err_ << fmt::format("{}{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}",
-                      terminal_ ? "\r\033[K" : "", time, confidence.current, confidence.opposite, states,
-                      (time - *first_time_) / passed, terminal_ ? "" : "\n")
+  if (terminal_) clear_terminal_line(err_);
+  err_ << fmt::format("{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}", time, confidence.current,
+                      confidence.opposite, states, (time - *first_time_) / passed, terminal_ ? "" : "\n")
        << std::flush;
 }
 
 void Progress::make_room() {
   if (!terminal_ || (is_hidden_ && is_hidden_())) return;
-  err_ << "\r\033[K" << std::flush;
+  clear_terminal_line(err_);
   next_ = 0.0;
 }
 
 void Progress::end() {
-  if (terminal_) err_ << "\r\033[K" << std::flush;
+  if (terminal_) clear_terminal_line(err_);
 }
 
 RoomForLog::RoomForLog(std::function<void()> make_room) : sink_(std::make_shared<RoomMaker>(std::move(make_room))) {
@@ -101,8 +103,10 @@ RoomForLog::~RoomForLog() { std::erase(spdlog::default_logger()->sinks(), sink_)
 void RunLog::observe(const FrameRecord& frame, const SceneTruth& scene) {
   for (const std::vector<ReloadRecord>* const reloads : {&frame.reloads, &scene.scenario.reloads})
     for (const ReloadRecord& reload : *reloads) ++(reload.accepted ? accepted_ : rejected_);
+  set_log_time(frame.world.time);
   for (const LogLine& line : log_lines(frame, scene))
-    spdlog::log(level_of(line.level), "{}{}{}", line.source, line.source.empty() ? "" : ": ", line.text);
+    spdlog::log(level_of(line.level), "{}{}{}{}", line.source, line.state.empty() ? "" : " (" + line.state + ")",
+                line.source.empty() ? "" : ": ", line.text);
   log_pose(frame.world, scene.truth);
 }
 

@@ -14,7 +14,9 @@
 #include "program/run/console/history_file.h"
 #include "program/run/report.h"
 #include "program/run/simulation.h"
+#include "program/safe_output.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/run/digest_observer.h"
 #include "workbench/run/frame_times.h"
@@ -58,17 +60,22 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   const auto start = std::chrono::steady_clock::now();
   const RunEnd end = live.run(std::move(run.live));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const bool has_quit = end == RunEnd::stopped && console.wants_to_quit() && Interruption::signal() == 0;
   const RunCircumstances circumstances{.scenario = options.scenario,
                                        .room = run.venue,
                                        .seed = options.seed,
                                        .room_awareness = options.room_awareness,
+                                       .scripts = std::filesystem::absolute(options.scripts),
+                                       .assets = std::filesystem::absolute(find_home() / "assets"),
                                        .wall_seconds = took.count(),
                                        .digest = digest.hex(),
                                        .frame_time = frame_times.whole(),
                                        .frame_time_without_rendering = frame_times.without_observing(),
                                        .reloads_accepted = live.log().reloads_accepted(),
-                                       .reloads_rejected = live.log().reloads_rejected()};
+                                       .reloads_rejected = live.log().reloads_rejected(),
+                                       .has_quit = has_quit};
   RunSummary result = summary.summary(end);
+  if (has_quit) result.verdict = "ended by quit";
   if (guests.verdict && Interruption::signal() == 0) guests.verdict(result);
   std::vector<std::string> failures;
   if (const std::string failure = run.failure ? run.failure() : ""; !failure.empty()) failures.push_back(failure);
@@ -88,8 +95,8 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
   if (live.model() != nullptr) out << "model: " << options.model.string() << " (" << live.model()->outcome() << ")\n";
   print_summary(result, circumstances, out);
-  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
-  return exit_code_of_runs(failures, result.succeeded);
+  for (const std::string& failure : failures) print_error(err, failure);
+  return exit_code_of_runs(failures, result.succeeded || has_quit);
 }
 
 int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostream& out, std::ostream& err) {
@@ -107,7 +114,8 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                        .subject = {.scenario = &simulation.scenario(),
                                    .parameters = [&] { return simulation.parameters(); },
                                    .kept_parameters = [&] { return simulation.kept_parameters(); },
-                                   .scripts = options.scripts}},
+                                   .scripts = options.scripts,
+                                   .running = [&] { return &simulation.engine().scripts(); }}},
                       guests, out, err);
 }
 

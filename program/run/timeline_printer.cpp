@@ -7,6 +7,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 
 namespace reorient {
 
@@ -43,7 +44,7 @@ void TimelinePrinter::observe(const FrameRecord& frame, const SceneTruth& scene)
     }
     if (!std::exchange(printed, true) && make_room_) make_room_();
     if (!std::exchange(has_header_, true)) out_ << "    time  behavior              what it did (why)\n";
-    out_ << fmt::format("{:>6.2f} s  {:<20}  {}\n", event.time, event.machine, to_text(event));
+    out_ << fmt::format("{:>6.2f} s  {:<20}  {}\n", event.time, as_line(event.machine), as_line(to_text(event)));
   }
   if (printed) out_.flush();
 }

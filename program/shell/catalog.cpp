@@ -5,13 +5,14 @@
 #include <array>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 #include "engine/parameters/utf8.h"
 #include "program/robots.h"
 #include "program/run/venue.h"
-#include "workbench/files/atomic_file.h"
 #include "workbench/files/home.h"
+#include "workbench/files/input_file.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -29,13 +30,17 @@ std::vector<CatalogEntry> scripts_in(const std::filesystem::path& scripts, const
   return entries;
 }
 
+/// Empty for a file that cannot be read: the command that uses it reports it.
+std::string sentence_of(const std::filesystem::path& file) try {
+  return first_sentence(read_input(file, "a text"));
+} catch (const std::runtime_error&) {
+  return {};
+}
+
 std::vector<CatalogEntry> assets_in(const char* folder, std::span<const std::string_view> extensions) {
   std::vector<CatalogEntry> entries;
-  for (std::string& name : asset_names(folder, extensions)) {
-    const std::optional<std::string> text =
-        extensions.front() == ".toml" ? read_whole_file(asset_file(folder, name, extensions)) : std::nullopt;
-    entries.push_back({std::move(name), first_sentence(text.value_or(""))});
-  }
+  for (const std::string& name : asset_names(folder, extensions))
+    entries.push_back({name, sentence_of(asset_file(folder, name, extensions))});
   return entries;
 }
 

@@ -323,12 +323,21 @@ std::set<std::string> keys_of(const nlohmann::json& json) {
   return keys;
 }
 
+TEST_F(CommandsTest, SetTakesNameAndValueAsThePromptDoes) {
+  const std::string joined = run({"params", "wall.radius", "--set", "wall.radius=7.5"}).out;
+  EXPECT_NE(joined.find("7.5  command line"), std::string::npos) << joined;
+  EXPECT_EQ(run({"params", "wall.radius", "--set", "wall.radius", "7.5"}).out, joined);
+  EXPECT_EQ(run({"params", "--set", "wall.radius", "7.5", "wall.radius"}).out, joined);
+  EXPECT_EQ(run({"params", "wall.radius", "--set", "wall.radius"}).code, kBadInput);
+  EXPECT_EQ(run({"params", "--set", "wall.radius", "--changed"}).code, kBadInput);
+}
+
 TEST_F(CommandsTest, EachKeyOfTheSummaryIsDocumented) {
   const std::string file = path("run.json");
   run({"run", "--seconds", "3", "--width", "160", "--no-pictures", "--json", file});
-  const std::string page = read_whole_file(kProjectFolder / "docs/run-summary.md").value_or("");
-  const std::string source = read_whole_file(kProjectFolder / "program/run/report.cpp").value_or("");
-  const std::set<std::string> written = keys_of(nlohmann::json::parse(read_whole_file(file).value_or("")));
+  const std::string page = read_input(kProjectFolder / "docs/run-summary.md", "a file");
+  const std::string source = read_input(kProjectFolder / "program/run/report.cpp", "a file");
+  const std::set<std::string> written = keys_of(nlohmann::json::parse(read_input(file, "a file")));
   EXPECT_GE(written.size(), 40U);
   for (const std::string& key : written) EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
   std::istringstream rows(page);

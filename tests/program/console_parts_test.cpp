@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts of the prompt: keys, names, and the lines of earlier runs.
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "program/run/console/history_file.h"
 #include "program/run/console/key_queue.h"
 #include "program/run/console/name_pattern.h"
+#include "program/safe_output.h"
 #include "tests/program/child_program.h"
 #include "tests/temporary_folder.h"
 
@@ -76,6 +78,11 @@ TEST_F(Keys, AreIgnoredIfUnknown) {
   EXPECT_EQ(of("\x1B[" + std::string(1000, '1') + "A").back(), "A") << "no end";
 }
 
+TEST_F(Keys, OfAnotherEncodingAreDroppedAlone) {
+  EXPECT_EQ(of("f\xFCr"), (Strings{"f", "r"})) << "Latin-1, without waiting for the rest of a letter";
+  EXPECT_EQ(of("\xE4\xF6\r"), Strings{"\r"});
+}
+
 TEST(NamePattern, AStarMatchesAnyLetters) {
   EXPECT_TRUE(matches("pose.*", "pose.x"));
   EXPECT_TRUE(matches("*.current", "confidence.current"));
@@ -104,6 +111,30 @@ TEST(Printable, ContainsNoControlCharacters) {
             "\\xC2\\x9B2J§");
   EXPECT_LT(printable(std::string(100000, '\x01')).size(), 320u);
   EXPECT_EQ(printable(std::string(299, 'x') + "€").substr(295), "xxxx ...") << "no half letters";
+}
+
+TEST(Printable, IsOneLineInOneDirection) {
+  EXPECT_EQ(printable("a\nb\tc\r"), "a b c\\x0D");
+  EXPECT_EQ(printable("\u2028\u202E\u2066\u2027"), "\\xE2\\x80\\xA8\\xE2\\x80\\xAE\\xE2\\x81\\xA6\u2027");
+}
+
+TEST(SafeOutput, EscapesWhatATerminalWouldExecute) {
+  std::ostringstream terminal;
+  SafeOutput safe(terminal);
+  std::ostream out(&safe);
+  out << "two\tlines\n"
+      << "f\u00FCr\x1B[2J\r\x7F\xFF\u009B1m" << '\a' << std::flush;
+  EXPECT_EQ(terminal.str(), "two\tlines\nf\u00FCr\\x1B[2J\\x0D\\x7F\\xFF\\xC2\\x9B1m\\x07");
+}
+
+TEST(SafeOutput, JoinsLettersThatArriveInPieces) {
+  std::ostringstream terminal;
+  SafeOutput safe(terminal);
+  std::ostream out(&safe);
+  for (const char byte : std::string("\u20AC\U0001F600\u009B")) out << byte;
+  EXPECT_EQ(terminal.str(), "\u20AC\U0001F600\\xC2\\x9B");
+  out << "\xE2\x82" << std::flush;
+  EXPECT_EQ(terminal.str(), "\u20AC\U0001F600\\xC2\\x9B\\xE2\\x82") << "the rest does not come";
 }
 
 // ---- history

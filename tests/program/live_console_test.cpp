@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "program/run/console/condition_values.h"
 #include "tests/engine/frame_fixture.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/parameter_file.h"
@@ -45,8 +46,11 @@ class LiveConsoleTest : public ::testing::Test {
       for (const Parameter& parameter : scenario->parameters().list()) all.push_back(parameter);
       return all;
     };
-    console.emplace(ends_[0], out_,
-                    ConsoleSubject{.scenario = &*scenario, .parameters = parameters, .scripts = folder.path()});
+    console.emplace(
+        ends_[0], out_,
+        ConsoleSubject{.scenario = &*scenario, .parameters = parameters, .scripts = folder.path(), .running = [this] {
+                         return &loop.engine->scripts();
+                       }});
     poll();
   }
   ~LiveConsoleTest() override {
@@ -75,6 +79,7 @@ class LiveConsoleTest : public ::testing::Test {
     type(line + "\n");
     return poll();
   }
+  std::string printed() const { return out_.str().substr(out_.str().rfind("\n", out_.str().size() - 2) + 1); }
   /// The output in this many frames.
   std::string polls(int frames) {
     std::string said;
@@ -106,6 +111,24 @@ TEST_F(LiveConsoleTest, SetsAParameter) {
   EXPECT_EQ(answer("set tested.level 0.75"), "  tested.level = 0.75\n");
   EXPECT_EQ(level(), 0.75);
   EXPECT_EQ(parameter("tested.level").origin, ParameterOrigin::live);
+}
+
+TEST_F(LiveConsoleTest, SetsAParameterInTheFormOfTheCommandLine) {
+  EXPECT_EQ(answer("set tested.level=0.75"), "  tested.level = 0.75\n");
+  EXPECT_EQ(level(), 0.75);
+  EXPECT_NE(answer("set =1").find("unknown parameter ''"), std::string::npos);
+  EXPECT_NE(answer("set tested.level=").find("0 to 1"), std::string::npos);
+  EXPECT_NE(answer("set tested.level==1").find("0 to 1"), std::string::npos);
+  EXPECT_EQ(level(), 0.75);
+}
+
+TEST_F(LiveConsoleTest, ExecutesOnlyQuitWithoutARobot) {
+  type("states\nquit\n");
+  console->poll_without_robot();
+  EXPECT_FALSE(console->wants_to_quit());
+  EXPECT_EQ(printed(), "  expected quit, found 'states'; other commands need a connected client\n");
+  console->poll_without_robot();
+  EXPECT_TRUE(console->wants_to_quit());
 }
 
 TEST_F(LiveConsoleTest, ReportsErrorsAndChangesNothing) {
@@ -285,7 +308,31 @@ TEST_F(LiveConsoleTest, ExplainsTheStateOfABehavior) {
   EXPECT_EQ(answer("why tested"),
             "  tested: off for 0.0 s\n"
             "    -> on  no, 0.0 of 0.5 s       it is dark (line 5)\n"
+            "       robot.penalized = false\n"
             "    -> on  after 0.0 of 3600.0 s  after 3600 s (line 6)\n");
+}
+
+TEST(FieldsRead, AreThoseOfTheConditionAndItsLocalFunctions) {
+  constexpr const char* kScript = R"(local function lost()
+  return confidence.status == "lost" or not pose.known
+end
+local far = function() return pose.x > 3 end
+behavior "b" {
+  state "a" {
+    { "c", when = function() return confidence.evidence > lib.limit and robot.penalized and robot.nothing end },
+    { "d",
+      when = lost, because = "pose.y" },
+    { "e", when = function() return far() or lost() or pose.x < 0 end }, { "f", when = function() return clock.time end },
+  },
+})";
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(fields_read_at(kScript, 7), (Names{"confidence.evidence", "robot.penalized"}));
+  EXPECT_EQ(fields_read_at(kScript, 8), (Names{"confidence.status", "pose.known"}));
+  EXPECT_EQ(fields_read_at(kScript, 10), (Names{"pose.x", "confidence.status", "pose.known"}));
+  EXPECT_EQ(fields_read_at(kScript, 1), Names());
+  EXPECT_EQ(fields_read_at(kScript, 99), Names());
+  EXPECT_EQ(fields_read_at("", 1), Names());
+  EXPECT_EQ(fields_read_at("{ pose.x", 1), Names{"pose.x"});
 }
 
 TEST_F(LiveConsoleTest, ShowsTheDwellTimeOfACondition) {

@@ -48,6 +48,24 @@ TEST(Program, ColorsItsLogOnRequest) {
   EXPECT_FALSE(colored({"--color", "never"}));
 }
 
+TEST(Program, LogsForeignTextAsOneLineWithTheRobotsTime) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scripts = copy_scripts(folder.path());
+  std::ofstream(scripts / "behaviors/forger.lua") << R"(behavior "forger" { initial = "waiting",
+  state "waiting" { { "forging", after = 0.1 } },
+  state "forging" { enter = function() log.info("hello\27[2J\r\n[info] forged") end } })";
+  const std::string strange = folder.write("strange\x1B[2J\nforged.toml", "[stranger]\nkey = 1\n").string();
+  ChildProgram program(folder.path(), {"run", "--seconds", "1", "--width", "160", "--no-pictures", "--scripts",
+                                       scripts.string(), "--with", "forger", "--params", strange});
+  program.wait();
+  const std::string log = program.err();
+  EXPECT_EQ(log.find('\x1B'), std::string::npos) << log;
+  EXPECT_NE(log.find("s] [info] forger (forging): hello\\x1B[2J\\x0D [info] forged\n"), std::string::npos) << log;
+  EXPECT_NE(log.find("[0.1"), std::string::npos) << "the robot's time: " << log;
+  EXPECT_NE(log.find("[warning] "), std::string::npos) << log;
+  EXPECT_NE(log.find("strange\\x1B[2J forged.toml"), std::string::npos) << log;
+}
+
 TEST(Program, PrintsItsVersion) {
   const ProgramRun run = run_reorient({"version"});
   EXPECT_EQ(run.code, kSuccess);

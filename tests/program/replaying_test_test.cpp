@@ -161,7 +161,7 @@ TEST_F(ReplayingTest, IsMadeOfARecordingWhoseNameIsNoLineOfLua) {
   const ProgramRun made = run_reorient({"record-test", named.string(), "--from", "43.2", "--to", "43.4", "--name",
                                         "made_here", "--scripts", scripts().string()});
   ASSERT_EQ(made.code, 0) << made.err;
-  const std::string text = read_whole_file(scripts() / "tests/made_here_test.lua").value();
+  const std::string text = read_input(scripts() / "tests/made_here_test.lua", "a file");
   EXPECT_EQ(text.find("\nerror("), std::string::npos) << text;
   const ProgramRun run = run_reorient({"test", "--scripts", scripts().string()});
   EXPECT_EQ(run.code, 0) << run.out;

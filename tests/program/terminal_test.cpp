@@ -53,7 +53,9 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunContinues) {
     EXPECT_TRUE(run->await_as_found(true));
   }
   expect("states\n", "penalty_marks");
-  expect("quit\n", "digest: ");
+  expect("quit\n", "not judged: ended by quit");
+  expect("", "digest: ");
+  EXPECT_EQ(run->wait(), 0) << "a normal end";
 }
 
 TEST_F(AtATerminal, EditsTheLine) {

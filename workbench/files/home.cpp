@@ -9,8 +9,9 @@ namespace reorient {
 namespace {
 
 bool is_home(const std::filesystem::path& folder) {
-  return std::filesystem::is_directory(folder / "scripts" / "behaviors") &&
-         std::filesystem::is_directory(folder / "assets");
+  std::error_code error;
+  return std::filesystem::is_directory(folder / "scripts" / "behaviors", error) &&
+         std::filesystem::is_directory(folder / "assets", error);
 }
 
 }  // namespace
@@ -35,6 +36,16 @@ std::filesystem::path find_home() {
     }
     folder = folder.parent_path();
   }
+}
+
+std::filesystem::path other_home_around(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path home = find_home();
+  for (std::filesystem::path around = folder; !around.empty(); around = around.parent_path()) {
+    if (is_home(around)) return std::filesystem::equivalent(around, home, error) ? std::filesystem::path() : around;
+    if (around == around.parent_path()) break;
+  }
+  return {};
 }
 
 bool is_asset_name(const std::filesystem::path& named) {

@@ -13,6 +13,9 @@ namespace reorient {
 /// The folder with scripts/ and assets/: $REORIENT_HOME, else the first folder above the running program that is the
 /// project's, or an installation's (in share/reorient). Throws std::runtime_error if neither exists.
 std::filesystem::path find_home();
+/// The project or installation that contains the folder, if it is not find_home(). Then the user may expect its scripts
+/// to run. Empty: none.
+std::filesystem::path other_home_around(const std::filesystem::path& folder);
 
 /// "paper" as assets/parameters/paper.toml, "light/hard" as assets/parameters/light/hard.toml, if an asset with
 /// one of the extensions exists and no file has that path; everything else is a path. A folder of that name does not

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <set>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "geometry/bytes.h"
 #include "workbench/recording/mcap/topics.h"
@@ -21,6 +21,12 @@ namespace reorient {
 namespace {
 
 std::vector<std::byte> copy_of(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
+
+std::string seconds_text(double seconds) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << seconds << " s";
+  return text.str();
+}
 
 /// The content of a message of our own topics.
 std::span<const std::byte> own_bytes(const mcap::Message& message) {
@@ -208,9 +214,8 @@ bool Recording::next(RecordedFrame& frame) {
     try {
       take(message, use);
     } catch (const BadBytes& bad) {
-      add_damage(fmt::format("at byte {}: {} at {:.2f} s: {}", messages_->where(),
-                             contents_.channel(message.channel)->topic, 1e-9 * static_cast<double>(message.time),
-                             bad.what()));
+      add_damage("at byte " + std::to_string(messages_->where()) + ": " + contents_.channel(message.channel)->topic +
+                 " at " + seconds_text(1e-9 * static_cast<double>(message.time)) + ": " + bad.what());
     }
   }
 }
@@ -328,7 +333,7 @@ void Recording::add_damage(const std::string& damage) {
 }
 
 void Recording::add_damage(const RecordedFrame& frame, const std::string& what) {
-  add_damage(fmt::format("at {:.2f} s: frame {}: {}", frame.entry.time, frame.entry.frame, what));
+  add_damage("at " + seconds_text(frame.entry.time) + ": frame " + std::to_string(frame.entry.frame) + ": " + what);
 }
 
 }  // namespace reorient

@@ -30,7 +30,7 @@ void append_scripts(const NameTable& names, const std::vector<LogRecord>& logs, 
                     std::vector<LogLine>& lines) {
   for (const LogRecord& record : logs) {
     const std::string& machine = names[record.machine];
-    lines.push_back({Level::info, machine, (record.is_note ? "note: " : "") + record.text});
+    lines.push_back({Level::info, machine, (record.is_note ? "note: " : "") + record.text, {}, 0, names[record.state]});
     if (record.dropped > 0)
       lines.push_back({Level::warning, machine,
                        std::to_string(record.dropped) +

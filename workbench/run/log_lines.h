@@ -17,6 +17,7 @@ struct LogLine {
   std::string text;
   std::string file = {};  ///< of a fault: its file
   int line = 0;
+  std::string state = {};  ///< of the machine that wrote the line, as "watching/confirmed"; empty: none
 };
 
 /// In their order: the behaviors' edits and the scenario's, then the log lines of both.

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "engine/record/digest.h"
 #include "program/interruption.h"
 #include "program/monotonic_clock.h"
@@ -24,6 +25,7 @@
 #include "program/run/live_run.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
+#include "program/safe_output.h"
 #include "robots/companion/companion.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
@@ -148,13 +150,17 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   LiveConsole console(
       STDIN_FILENO, out,
       {.parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
-       .scripts = options.scripts},
+       .scripts = options.scripts,
+       .running = [&] { return engine_now != nullptr ? &engine_now->scripts() : nullptr; }},
       history_path());
-  const auto is_over = [&] { return is_ended_by_hand(console); };
+  const auto is_over = [&] {
+    if (engine_now == nullptr) console.poll_without_robot();
+    return is_ended_by_hand(console);
+  };
   LiveRun* live_now = nullptr;
   const auto tell = [&](const std::string& line) {
     if (live_now != nullptr) return live_now->tell(printable(line));
-    err << "reorient: " << printable(line) << "\n" << std::flush;
+    print_error(err, printable(line));
   };
   Companion companion({.socket = socket,
                        .known = known_robots(),
@@ -218,7 +224,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       const std::size_t before = failures.size();
       live.save_model(failures);
       try_to_write(failures, [&] { model = model_to_begin_with(options); });
-      for (std::size_t i = before; i < failures.size(); ++i) err << "reorient: " << failures[i] << "\n" << std::flush;
+      for (std::size_t i = before; i < failures.size(); ++i) print_error(err, failures[i]);
     }
     engine_now = nullptr;
     live_now = nullptr;

@@ -38,6 +38,15 @@ double seconds_of(const std::string& text) {
   return std::get<double>(parse_parameter(wanted, text));
 }
 
+/// `set NAME=VALUE`, the form of --set, as `set NAME VALUE`.
+Words with_value_apart(Words words) {
+  const std::size_t sign = words.size() == 2 && words[0] == "set" ? words[1].find('=') : std::string::npos;
+  if (sign == std::string::npos) return words;
+  words.push_back(words[1].substr(sign + 1));
+  words[1].resize(sign);
+  return words;
+}
+
 Reply note(const Words& words, FrameInputs& inputs) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -62,7 +71,7 @@ Reply wait(double seconds) {
 
 CommandTable::CommandTable(ConsoleSubject subject)
     : parameters_(subject.scenario, std::move(subject.parameters), std::move(subject.kept_parameters)),
-      scripts_(subject.scenario, std::move(subject.scripts)) {
+      scripts_(subject.scenario, std::move(subject.scripts), std::move(subject.running)) {
   const auto parameter_or_value = [this](const Words& before) {
     return before.empty() ? parameters_.names() : before.size() == 1 ? parameters_.values(before[0]) : Words();
   };
@@ -114,7 +123,8 @@ CommandTable::CommandTable(ConsoleSubject subject)
   };
 }
 
-Reply CommandTable::obey(const Words& words, FrameInputs& inputs) {
+Reply CommandTable::obey(const Words& typed, FrameInputs& inputs) {
+  const Words words = with_value_apart(typed);
   const Command& command = find(words.front());
   const auto [least, most] = argument_counts(command.arguments);
   const Words arguments(words.begin() + 1, words.end());

@@ -21,6 +21,7 @@ struct ConsoleSubject {
   std::function<std::vector<Parameter>()> parameters;               ///< all existing parameters
   std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not loaded; may be empty
   std::filesystem::path scripts{};                                  ///< their root
+  std::function<const ScriptTexts*()> running{};                    ///< the behaviors' texts; may be empty
 };
 
 class CommandTable {
@@ -29,8 +30,8 @@ class CommandTable {
   CommandTable(const CommandTable&) = delete;
   CommandTable& operator=(const CommandTable&) = delete;
 
-  /// `words`: a command with its arguments. Throws std::runtime_error with one line if it cannot be executed.
-  Reply obey(const Words& words, FrameInputs& inputs);
+  /// `typed`: a command with its arguments. Throws std::runtime_error with one line if it cannot be executed.
+  Reply obey(const Words& typed, FrameInputs& inputs);
   /// Completions for the next word after these.
   Words candidates(const Words& before) const;
 

@@ -251,7 +251,8 @@ void LineEditor::list(const Words& names) {
   const std::size_t in_a_row = std::max<std::size_t>(1, static_cast<std::size_t>(columns_) / width);
   for (std::size_t i = 0; i < shown; ++i) {
     const bool ends_row = (i + 1) % in_a_row == 0 || i + 1 == shown;
-    listing_ += ends_row ? names[i] + "\n" : names[i] + std::string(width - names[i].size(), ' ');
+    const std::string name = as_line(names[i]);
+    listing_ += ends_row ? name + "\n" : name + std::string(width - names[i].size(), ' ');
   }
   if (shown < names.size()) listing_ += "and " + std::to_string(names.size() - shown) + " more\n";
 }

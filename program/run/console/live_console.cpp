@@ -43,6 +43,20 @@ void LiveConsole::add_to(FrameInputs& inputs) {
   }
 }
 
+void LiveConsole::poll_without_robot() {
+  if (wants_to_quit()) return;
+  const std::optional<std::string> line = next_line();
+  const Words words = line ? words_of(*line) : Words();
+  if (words.empty()) return;
+  if (words == Words{"quit"}) {
+    FrameInputs none;
+    table_.obey(words, none);
+  } else {
+    out_ << "  expected quit, found '" << printable(*line) << "'; other commands need a connected client\n"
+         << std::flush;
+  }
+}
+
 std::optional<std::string> LiveConsole::next_line() {
   Typed typed = open_ && editor_ ? editor_->poll() : lines_.poll();
   if (typed.closed && open_) {

@@ -28,6 +28,9 @@ class LiveConsole : public InputSource, public Observer {
   void finish(const FrameRecord& last, const SceneTruth& scene) override;
   Topics wanted() const override;
 
+  /// Call instead of add_to() and observe() while no robot is connected: executes only `quit`.
+  void poll_without_robot();
+
   bool is_open() const { return open_; }
   bool wants_to_quit() const { return table_.wants_to_quit(); }
   /// Call before another part of the program writes to the terminal.

@@ -45,17 +45,7 @@ std::vector<std::size_t> pick(std::string_view wanted, std::span<const std::stri
 
 std::string printable(std::string_view text) {
   constexpr std::size_t kLongest = 300;
-  const std::string valid = as_utf8(text);
-  const auto code = [&](std::size_t i) { return i < valid.size() ? static_cast<unsigned char>(valid[i]) : 0U; };
-  std::string out;
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    const bool is_control = code(i) < ' ' || code(i) == 0x7F;
-    const bool is_wide_control = code(i) == 0xC2 && code(i + 1) < 0xA0;  // U+0080 to U+009F
-    const std::size_t count = is_wide_control ? 2 : 1;
-    const std::string_view letter = std::string_view(valid).substr(i, count);
-    out += is_control || is_wide_control ? written_out(letter) : std::string(letter);
-    i += count - 1;
-  }
+  std::string out = as_line(text);
   if (out.size() <= kLongest) return out;
   std::size_t end = kLongest;
   while ((static_cast<unsigned char>(out[end]) & 0xC0U) == 0x80U) --end;  // not within a letter

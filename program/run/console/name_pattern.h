@@ -17,7 +17,7 @@ bool matches(std::string_view pattern, std::string_view name);
 /// ("parameter").
 std::vector<std::size_t> pick(std::string_view wanted, std::span<const std::string> names, std::string_view kind);
 
-/// Escapes and shortens foreign text, so that it can neither control nor fill the terminal.
+/// Foreign text on one line, shortened, so that it can neither control nor fill the terminal.
 std::string printable(std::string_view text);
 
 }  // namespace reorient

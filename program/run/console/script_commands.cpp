@@ -9,7 +9,10 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
+#include "program/run/console/condition_values.h"
 #include "program/run/console/name_pattern.h"
+#include "program/run/console/world_commands.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -52,8 +55,27 @@ std::string progress_text(const OpenCondition& condition) {
   return text;
 }
 
+/// The text of the machine's file: by convention they have the same name. Empty: unknown.
+std::string_view text_of(const std::string& machine, const ScriptTexts* texts) {
+  if (texts == nullptr) return {};
+  for (const std::string& file : texts->files()) {
+    if (std::filesystem::path(file).stem() == machine && !file.starts_with("lib/")) return texts->find(file)->text;
+  }
+  return {};
+}
+
+/// "confidence.evidence = -3.2, robot.penalized = false": what the condition reads, in this frame.
+std::string values_text(std::string_view script, int line, const World& world) {
+  std::string text;
+  for (const std::string& field : fields_read_at(script, line))
+    text.append(text.empty() ? "" : ", ").append(field).append(" = ").append(value_text(world, field));
+  return text;
+}
+
 std::string why_text(const MachineStatus& status, const std::vector<OpenCondition>& conditions, const NameTable& names,
-                     double now) {
+                     const ScriptTexts* texts, const World& world) {
+  const double now = world.time;
+  const std::string_view script = text_of(names[status.machine], texts);
   std::string text = fmt::format("  {}: {} for {:.1f} s{}\n", names[status.machine], names[status.state],
                                  now - status.entered_at, stopped_text(status));
   std::size_t target_width = 0, progress_width = 0;
@@ -66,7 +88,9 @@ std::string why_text(const MachineStatus& status, const std::vector<OpenConditio
   for (const OpenCondition& one : conditions) {
     if (one.machine != status.machine) continue;
     text += fmt::format("    -> {:<{}}  {:<{}}  {} (line {})\n", names[one.target], target_width, progress_text(one),
-                        progress_width, names[one.reason], one.line);
+                        progress_width, as_line(names[one.reason]), one.line);
+    if (const std::string values = values_text(script, one.line, world); !values.empty())
+      text += "       " + values + "\n";
   }
   return text;
 }
@@ -86,8 +110,9 @@ std::string script_name(const std::string& file) {
 
 }  // namespace
 
-ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::filesystem::path root)
-    : scenario_(scenario), root_(std::move(root)) {}
+ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::filesystem::path root,
+                               std::function<const ScriptTexts*()> running)
+    : scenario_(scenario), root_(std::move(root)), running_(std::move(running)) {}
 
 Reply ScriptCommands::states() { return states_text; }
 
@@ -95,14 +120,13 @@ Reply ScriptCommands::why(const std::string& machine) const {
   if (std::find(machines_.begin(), machines_.end(), machine) == machines_.end())
     throw std::runtime_error("unknown machine '" + machine + "'" + did_you_mean(machine, machines_));
   return [this, machine](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
-    const double now = frame.world.time;
     if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
-      return why_text(*status, frame.conditions, *frame.names, now);
+      return why_text(*status, frame.conditions, *frame.names, running_ ? running_() : nullptr, frame.world);
     const MachineStatus* const status = find(scene.scenario.machines, *scene.scenario.names, machine);
     if (status == nullptr || scenario_ == nullptr) return "  this machine no longer exists\n";
     std::vector<OpenCondition> conditions;
     scenario_->host().read_conditions(conditions);
-    return why_text(*status, conditions, *scene.scenario.names, now);
+    return why_text(*status, conditions, *scene.scenario.names, &scenario_->host().texts(), frame.world);
   };
 }
 
@@ -120,7 +144,7 @@ Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const
     std::string text;
     for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads}) {
       for (const ReloadRecord& reload : *reloads)
-        text += "  " + reload.script +
+        text += "  " + as_line(reload.script) +
                 (reload.accepted
                      ? " was reloaded\n"
                      : ": refused; the previous version keeps running: " + printable(reload.fault.text()) + "\n");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,14 @@ namespace reorient {
 
 class ScriptCommands {
  public:
-  /// `scenario` may be nullptr; `root`: the folder of the scripts.
-  ScriptCommands(ScenarioHost* scenario, std::filesystem::path root);
+  /// `scenario` may be nullptr; `root`: the folder of the scripts; `running`: the texts of the running behaviors, may
+  /// be empty.
+  ScriptCommands(ScenarioHost* scenario, std::filesystem::path root, std::function<const ScriptTexts*()> running = {});
 
   /// All machines with state and cost; needs Topic::costs.
   static Reply states();
-  /// The transitions that this machine may take; needs Topic::conditions.
+  /// The transitions that this machine may take, with the world's values that their conditions read; needs
+  /// Topic::conditions.
   Reply why(const std::string& machine) const;
   /// Reloads scripts, also unchanged ones; an empty name: all.
   Reply reload(const std::string& name, FrameInputs& inputs) const;
@@ -31,6 +34,7 @@ class ScriptCommands {
  private:
   ScenarioHost* scenario_;
   std::filesystem::path root_;
+  std::function<const ScriptTexts*()> running_;
   Words machines_;
 };
 

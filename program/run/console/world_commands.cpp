@@ -34,6 +34,13 @@ std::string value_text(const World& world, std::size_t field) {
 
 }  // namespace
 
+std::string value_text(const World& world, std::string_view field) {
+  const std::span<const WorldField> fields = world_fields();
+  const auto named =
+      std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.full_name() == field; });
+  return named == fields.end() ? "not known" : value_text(world, static_cast<std::size_t>(named - fields.begin()));
+}
+
 WorldCommands::WorldCommands() {
   for (const WorldField& field : world_fields()) names_.push_back(field.full_name());
 }

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/world/world.h"
 #include "program/run/console/command.h"
 
 namespace reorient {
+
+/// The value of a world field, as "0.123 m"; "not known" for an unknown one.
+std::string value_text(const World& world, std::string_view field);
 
 class WorldCommands {
  public:

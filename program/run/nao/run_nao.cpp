@@ -20,6 +20,7 @@
 #include "program/run/places.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
+#include "program/safe_output.h"
 #include "robots/nao/nao.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
@@ -107,7 +108,10 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   FrameLoop engine(std::move(setup));
 
   LiveConsole console(STDIN_FILENO, out,
-                      {.parameters = [&] { return engine.parameters(); }, .scripts = options.scripts}, history_path());
+                      {.parameters = [&] { return engine.parameters(); },
+                       .scripts = options.scripts,
+                       .running = [&] { return &engine.scripts(); }},
+                      history_path());
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
   LiveRun live(options, console, out, err);
   auto robot =
@@ -127,7 +131,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   live.end_recording();
   std::vector<std::string> failures;
   live.save_model(failures);
-  for (const std::string& failure : failures) err << "reorient: " << failure << "\n";
+  for (const std::string& failure : failures) print_error(err, failure);
   const Nao::Counts counts = itself.counts();
   out << fmt::format(
       "{}; images: {} superseded by newer ones, {} without head angles, {} damaged; cameras restarted {}\n",

@@ -47,5 +47,17 @@ TEST(AssetName, IsUnchangedWithoutFileAndAsset) {
   EXPECT_EQ(asset_file("experiments", "no_such_experiment", kToml), "no_such_experiment");
 }
 
+TEST(OtherHome, IsTheProjectAroundAFolderIfItIsNotTheProgramsOwn) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(other_home_around(folder.path()), "");
+  EXPECT_EQ(other_home_around(find_home() / "scripts" / "lib"), "") << "the program's own";
+  std::filesystem::create_directories(folder.path() / "project/scripts/behaviors/mine");
+  EXPECT_EQ(other_home_around(folder.path() / "project"), "") << "no assets";
+  std::filesystem::create_directories(folder.path() / "project/assets");
+  EXPECT_EQ(other_home_around(folder.path() / "project/scripts/behaviors/mine"), folder.path() / "project");
+  EXPECT_EQ(other_home_around(folder.path()), "");
+  EXPECT_EQ(other_home_around(""), "");
+}
+
 }  // namespace
 }  // namespace reorient

@@ -174,7 +174,8 @@ TEST_F(OpenFootage, DoesNotWaitForAPipe) {
 TEST_F(OpenFootage, DoesNotReadAFileThatIsTooLarge) {
   const std::filesystem::path table = folder_.write("frames.csv", "image,time_s\n");
   std::filesystem::resize_file(table, std::uintmax_t{1} << 40);  // a hole
-  expect_refused(read(table).second, "frames.csv: expected a table of at most 256 MiB, found a larger one (1048576 MiB)");
+  expect_refused(read(table).second,
+                 "frames.csv: expected a table of at most 256 MiB, found a larger one (1048576 MiB)");
 }
 
 TEST_F(OpenFootage, ReportsWhatIsMissing) {
