@@ -165,7 +165,9 @@ TEST_F(RecordedRun, ContinuesAtTheNextStateAfterDamage) {
   }
   const Replayed again = replayed();
   EXPECT_EQ(again.different, 0u);
-  EXPECT_EQ(again.damages.size(), 1u);
+  // The lost chunk, and the frame whose image was in it while the frame itself is in the next chunk.
+  EXPECT_GE(again.damages.size(), 1u);
+  EXPECT_LE(again.damages.size(), 2u);
   EXPECT_EQ(again.stretches, 2u);
   EXPECT_GT(again.skipped, 0u);
   EXPECT_LT(again.frames, static_cast<std::uint64_t>(kFrames));
