@@ -24,7 +24,7 @@ class ScriptEdits : public InputSource {
   /// `texts`: before the first edits. `look` is called by the thread, which may outlive this object if a call hangs.
   ScriptEdits(ScriptTexts texts, Look look);
   /// Waits a moment for the thread, and then leaves it alone.
-  ~ScriptEdits();
+  ~ScriptEdits() override;
   ScriptEdits(const ScriptEdits&) = delete;
   ScriptEdits& operator=(const ScriptEdits&) = delete;
 

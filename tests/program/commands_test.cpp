@@ -64,7 +64,7 @@ TEST_F(CommandsTest, GraphDrawsABehaviorAndAScenario) {
   EXPECT_TRUE(run({"graph", "orientation"}).out.starts_with("stateDiagram-v2\n"));
   EXPECT_TRUE(run({"graph", "orientation", "--format", "dot"}).out.starts_with("digraph \"orientation\" {\n"));
   const ProgramRun scenario = run({"graph", "mirrored_placement"});
-  EXPECT_NE(scenario.out.find("state \"carrying\" as carrying"), std::string::npos);
+  EXPECT_NE(scenario.out.find("state \"carrying\" as mirrored_placement_carrying"), std::string::npos);
   EXPECT_EQ(scenario.out.find("watching"), std::string::npos) << "the behaviors of the scenario were not requested";
   EXPECT_EQ(run({"graph", (scripts_ / "behaviors/orientation.lua").string()}).code, kSuccess);
 }

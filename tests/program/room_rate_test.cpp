@@ -155,8 +155,8 @@ TEST_F(RoomRate, RefusesEachDamagedModel) {
 TEST_F(RoomRate, RefusesFilesThatAreNotRooms) {
   expect_refused({path("no.model")}, "no.model: expected a model of a room, found none");
   expect_refused({path("no.hdr")}, "unknown room '" + path("no.hdr") + "'");
-  expect_refused({path("no.mcap")}, "no.mcap: expected a file, found none");
-  expect_refused({folder.path().string()}, "expected a file, found a folder");
+  expect_refused({path("no.mcap")}, "no.mcap: expected a model of a room, found none; name a panorama");
+  expect_refused({folder.path().string()}, "expected a model of a room, found a folder; name a panorama");
   expect_refused({folder.write("a.txt", "hello\n").string()},
                  "a.txt: it is not a model of a room; name a panorama (.hdr, .png, .jpg)");
   expect_refused({folder.write("a.hdr", "hello\n").string()}, "a.hdr");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "tests/paths.h"
 #include "tests/program/child_program.h"
@@ -56,6 +57,31 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunContinues) {
   expect("quit\n", "not judged: ended by quit");
   expect("", "digest: ");
   EXPECT_EQ(run->wait(), 0) << "a normal end";
+}
+
+TEST_F(AtATerminal, NeedsNoMemoryForASizeThatNoTerminalHas) {
+  run->resize(65535, 65535);
+  run->type("\n");
+  ASSERT_TRUE(run->await("> "));
+  run->type("states\n");
+  ASSERT_TRUE(run->await("penalty_marks"));
+  run->type("quit\n");
+  ASSERT_TRUE(run->await("digest: "));
+  EXPECT_EQ(run->wait(), 0);
+  rusage used{};
+  ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &used), 0);
+  constexpr long kMost = 500 * 1024;  // KiB; a place for each column and row took 1.9 GB
+  EXPECT_LT(used.ru_maxrss, kMost);
+}
+
+TEST_F(AtATerminal, EditsTheLineAlsoAfterAnAbsurdSize) {
+  open();
+  run->resize(65535, 65535);
+  edit("st\t", "states ");
+  run->resize(100, 30);
+  expect("\n", "penalty_marks");
+  expect("quit\n", "digest: ");
+  EXPECT_EQ(run->wait(), 0);
 }
 
 TEST_F(AtATerminal, EditsTheLine) {

@@ -69,9 +69,14 @@ int rows_above_cursor(EditLine* editor, int columns) {
   return width / columns;
 }
 
-int columns_of(int descriptor) {
+/// Columns of the terminal; nothing for a size that no terminal has. libedit allocates memory for each place on the
+/// terminal, so it must not see such a size.
+std::optional<int> columns_of(int descriptor) {
+  constexpr int kMost = 2000;
   winsize size{};
-  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  if (size.ws_col > kMost || size.ws_row > kMost) return std::nullopt;
+  return size.ws_col;
 }
 
 std::string common_beginning(const Words& words) {
@@ -88,7 +93,8 @@ std::string common_beginning(const Words& words) {
 bool LineEditor::is_possible(int descriptor) {
   const char* const terminal = std::getenv("TERM");
   const bool is_able = terminal != nullptr && *terminal != '\0' && std::string_view(terminal) != "dumb";
-  return is_able && isatty(descriptor) == 1 && isatty(STDOUT_FILENO) == 1;
+  return is_able && isatty(descriptor) == 1 && isatty(STDOUT_FILENO) == 1 && columns_of(descriptor) &&
+         columns_of(STDOUT_FILENO);
 }
 
 LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std::filesystem::path> history)
@@ -258,8 +264,8 @@ void LineEditor::list(const Words& names) {
 }
 
 void LineEditor::follow_size() {
-  const int columns = columns_of(descriptor_);
-  if (columns == std::exchange(columns_, columns)) return;
+  const std::optional<int> columns = columns_of(descriptor_);
+  if (!columns || *columns == std::exchange(columns_, *columns)) return;
   el_resize(editor_.get());
   if (line_ != Line::shown) return;
   hide();
@@ -272,7 +278,7 @@ void LineEditor::show() {
   if (line_ == Line::hidden) {
     el_set(editor_.get(), EL_REFRESH);
   } else {
-    columns_ = columns_of(descriptor_);
+    columns_ = columns_of(descriptor_).value_or(columns_);
     el_set(editor_.get(), EL_UNBUFFERED, 0);
     el_set(editor_.get(), EL_UNBUFFERED, 1);  // begins a line, and shows the prompt
     TerminalGuard::remember_own_modes();

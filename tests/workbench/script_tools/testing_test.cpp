@@ -399,7 +399,6 @@ TEST_F(ScriptedTests, CannotDeclareMachinesOrParameters) {
   expect.equal(scenario, nil)
   expect.equal(param, nil)
   expect.equal(keep, nil)
-  expect.equal(require, nil)
 end))");
   EXPECT_EQ(summary.failed, 0) << out.str();
 }
