@@ -399,7 +399,7 @@ TEST_F(CompanionTest, RefusesUnknownValuesOfFieldsThatAreChoices) {
     client.send(REORIENT_FRAME, frame);
     now_ += 1.0;
     static_cast<void>(observed());
-    const std::string why = client.refusal();
+    std::string why = client.refusal();
     client.end();
     static_cast<void>(observed());
     return why;
