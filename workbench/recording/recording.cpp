@@ -45,7 +45,7 @@ Recording::Recording(const std::filesystem::path& file)
 Recording::Recording(const std::filesystem::path& file, std::function<bool()> stop)
     : Recording(std::make_unique<mcap::StoppableSource>(file, std::move(stop)), file.string()) {}
 
-Recording::Recording(std::unique_ptr<mcap::Source> source, std::string name) try
+Recording::Recording(std::unique_ptr<mcap::Source> source, const std::string& name) try
     : source_(std::move(source)), contents_(mcap::read_contents(*source_)), name_(name) {
   if (contents_.damage) add_damage(contents_.damage->what());
   mcap::read_topics_in_chunks(*source_, contents_);

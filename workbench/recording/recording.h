@@ -41,7 +41,7 @@ class Recording {
   /// The same, but `stop` ends long reads: once it returns true, all functions that read throw mcap::Stopped.
   Recording(const std::filesystem::path& file, std::function<bool()> stop);
   /// `name`: for messages.
-  explicit Recording(std::unique_ptr<mcap::Source> source, std::string name = "the recording");
+  explicit Recording(std::unique_ptr<mcap::Source> source, const std::string& name = "the recording");
 
   const std::string& name() const { return name_; }
   const mcap::Contents& contents() const { return contents_; }
