@@ -58,7 +58,7 @@ void change(RawRecording& recording, Choices& choices) {
       messages.erase(messages.begin() + (&message - messages.data()));
       return;
     case 1:
-      messages.push_back(RawRecording::Message(message));
+      messages.push_back(message);
       return;
     case 2:
       message.channel = recording.channels[choices.below(recording.channels.size())].id;

@@ -79,7 +79,7 @@ class LiveConsoleTest : public ::testing::Test {
     type(line + "\n");
     return poll();
   }
-  std::string printed() const { return out_.str().substr(out_.str().rfind("\n", out_.str().size() - 2) + 1); }
+  std::string printed() const { return out_.str().substr(out_.str().rfind('\n', out_.str().size() - 2) + 1); }
   /// The output in this many frames.
   std::string polls(int frames) {
     std::string said;

@@ -4,8 +4,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -113,12 +115,17 @@ TEST(PageTables, DoNotChangeAFileWithoutComments) {
 TEST(PageTables, DoNotUseCommentsInCodeBlocks) {
   const std::string begin = "<!-- rows t.json: trials -->\n", end = "<!-- end of rows -->\n";
   const std::string table = begin + "| trials |\n|---|\n| 100 |\n| 100 |\n" + end;
-  for (const std::string& fence : {std::string("```"), std::string("~~~~"), std::string("   `````")}) {
-    const std::string code = fence + "text\n" + begin + end + "<!-- rows gone -->\n``\n" + fence + "\n";
+  const auto joined = [](std::initializer_list<std::string_view> parts) {
+    std::string text;
+    for (const std::string_view part : parts) text += part;
+    return text;
+  };
+  for (const std::string_view fence : {"```", "~~~~", "   `````"}) {
+    const std::string code = joined({fence, "text\n", begin, end, "<!-- rows gone -->\n``\n", fence, "\n"});
     EXPECT_FALSE(has_tables(code)) << code;
     EXPECT_EQ(filled(code), code);
-    EXPECT_EQ(filled(code + begin + end), code + table);
-    EXPECT_EQ(filled(begin + end + code), table + code);
+    EXPECT_EQ(filled(joined({code, begin, end})), joined({code, table}));
+    EXPECT_EQ(filled(joined({begin, end, code})), joined({table, code}));
   }
   EXPECT_EQ(filled("```\n~~~\n" + begin + end + "```\n" + begin + end), "```\n~~~\n" + begin + end + "```\n" + table);
   EXPECT_EQ(filled("`` ` ``\n" + begin + end), "`` ` ``\n" + table);

@@ -447,6 +447,7 @@ TEST_F(RunThatIsRecorded, ByRobotsThatStartTogetherUsesANameForEach) {
   options.robot = "companion";
   options.record = file("run.mcap");
   std::vector<std::future<std::string>> robots;
+  robots.reserve(kRobots);
   for (int robot = 0; robot < kRobots; ++robot) {
     robots.push_back(std::async(std::launch::async, [&options] {
       RunRecording recording(
