@@ -48,13 +48,6 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   return std::pair(text.substr(0, at), text.substr(at + separator.size()));
 }
 
-/// The option of this name of the command, or of the program; nullptr: unknown.
-const CLI::Option* option_named(const CLI::App* asked, const std::string& name) {
-  const CLI::Option* option = nullptr;
-  for (; option == nullptr && asked != nullptr; asked = asked->get_parent()) option = asked->get_option_no_throw(name);
-  return option;
-}
-
 /// "a, b or c".
 std::string either_of(const std::vector<std::string>& choices) {
   std::string text;

@@ -99,6 +99,13 @@ std::string path_of(const CLI::App& app) {
   return parent == nullptr ? app.get_name() : path_of(*parent) + " " + app.get_name();
 }
 
+const CLI::Option* option_named(const CLI::App* command, const std::string& name) {
+  const CLI::Option* option = nullptr;
+  for (; option == nullptr && command != nullptr; command = command->get_parent())
+    option = command->get_option_no_throw(name);
+  return option;
+}
+
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }

@@ -16,6 +16,8 @@ std::string placeholder_of(const CLI::Option& option);
 std::vector<std::string> choices_of(const CLI::Option& option);
 /// "reorient room rate".
 std::string path_of(const CLI::App& app);
+/// The option of this name of the command, or of one above it; nullptr: unknown.
+const CLI::Option* option_named(const CLI::App* command, const std::string& name);
 /// Its commands, without hidden ones.
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 

@@ -33,20 +33,13 @@ struct Parsed {
   std::filesystem::path scripts;        ///< of --scripts
 };
 
-const CLI::Option* option_of(const CLI::App& command, const std::string& name) {
-  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
-    if (const CLI::Option* const option = app->get_option_no_throw(name)) return option;
-  }
-  return nullptr;
-}
-
 bool takes_value(const CLI::Option* option) { return option != nullptr && option->get_items_expected_min() > 0; }
 
 Parsed parsed(const CLI::App& program, std::span<const std::string> words) {
   Parsed result{.command = &program, .option = nullptr, .arguments = 0, .scripts = {}};
   for (const std::string& word : words) {
     if (word.starts_with('-')) {
-      const CLI::Option* const option = option_of(*result.command, word.substr(0, word.find('=')));
+      const CLI::Option* const option = option_named(result.command, word.substr(0, word.find('=')));
       result.option = takes_value(option) && word.find('=') == std::string::npos ? option : nullptr;
       continue;
     }
@@ -132,7 +125,7 @@ Completion completion_of(const CLI::App& program, std::span<const std::string> w
     if (word.starts_with('-')) {
       const std::size_t equals = word.find('=');
       const CLI::Option* const option =
-          equals == std::string::npos ? nullptr : option_of(*line.command, word.substr(0, equals));
+          equals == std::string::npos ? nullptr : option_named(line.command, word.substr(0, equals));
       if (takes_value(option)) {
         add_values(program, *option, word.substr(0, equals + 1), scripts, collected);
         return std::move(collected.result);
