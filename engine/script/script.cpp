@@ -31,6 +31,17 @@ int refuse_new_global(lua_State* L) {
                     luaL_tolstring(L, 2, nullptr), luaL_tolstring(L, 2, nullptr));
 }
 
+/// Throws ScriptError if there are errors in declarations.
+void refuse(const std::vector<ScriptFault>& faults) {
+  if (faults.empty()) return;
+  ScriptFault first = faults.front();
+  if (const std::size_t more = faults.size() - 1; more > 0)
+    first.message += " (and " + std::to_string(more) + " more; reorient check shows all)";
+  ScriptError error(std::move(first));
+  error.all = faults;
+  throw error;
+}
+
 }  // namespace
 
 Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
@@ -46,13 +57,11 @@ Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage
   add_globals(directory);
   try {
     load_module(file);
-  } catch (ScriptError& error) {
-    const std::vector<ScriptFault>& found = declarations_->faults;
-    const bool is_theirs = !found.empty() && found.front().file == error.fault.file &&
-                           found.front().line == error.fault.line && found.front().column == error.fault.column;
-    if (is_theirs) error.all = found;
-    throw;
+  } catch (const ScriptError&) {
+    // After an error in a declaration, this one may be its consequence.
+    if (declarations_->faults.empty()) throw;
   }
+  refuse(declarations_->faults);
   lua_pop(sandbox_.state(), 1);
   declarations_->close();
   std::vector<std::string> left_out;

@@ -307,7 +307,7 @@ ScriptTexts texts_with_honest_one(const std::string& folder, const std::string& 
 
 /// Like `reorient check`: it accepts any text, and its findings are positions in it.
 void check_without_running(const std::string& text) {
-  static const SymbolTable known = symbol_table(ScriptRole::behavior, std::nullopt);
+  static const SymbolTable known = symbol_table(ScriptRole::behavior, DeclaredNames{});
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
   TextPosition before;
   for (const Finding& finding : check_text(text, known).findings) {

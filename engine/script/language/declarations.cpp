@@ -191,17 +191,12 @@ ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, cons
   return declaration;
 }
 
-void Declarations::refuse(const std::string& file, std::vector<DeclarationError> errors) {
-  if (errors.empty()) return;
+void Declarations::note(const std::string& file, std::vector<DeclarationError> errors) {
   std::stable_sort(errors.begin(), errors.end(),
                    [](const auto& left, const auto& right) { return is_before(left.position, right.position); });
-  faults.clear();
   for (const DeclarationError& error : errors)
     faults.push_back(
         {error.file.empty() ? file : error.file, error.position.line, error.message, {}, error.position.column});
-  const std::size_t more = faults.size() - 1;
-  throw std::runtime_error(faults.front().text() +
-                           (more > 0 ? " (and " + std::to_string(more) + " more; reorient check shows all)" : ""));
 }
 
 void Declarations::read_parameter(lua_State* L, const std::string& file) {
@@ -237,13 +232,14 @@ int Declarations::param(lua_State* L) {
     try {
       read_parameter(L, place.file);
     } catch (const std::runtime_error& error) {
+      refused_.push_back(stem_of(place.file) + "." + lua_tostring(L, key));
       const TextPosition from{place.line, 0};
       constexpr TextPosition kEnd{std::numeric_limits<int>::max(), 0};
       errors.push_back({places_of_(place.file).key(lua_tostring(L, key), from, kEnd).value_or(from), error.what()});
       lua_settop(L, key + 1);
     }
   }
-  refuse(place.file, std::move(errors));
+  note(place.file, std::move(errors));
   lua_newtable(L);
   for (std::size_t i = first; i < parameters.size(); ++i) {
     lua_pushvalue(L, -1);
@@ -320,11 +316,12 @@ int Declarations::machine_body(lua_State* L) {
   }
   std::vector<std::string> names;
   for (const DeclaredParameter& parameter : parameters) names.push_back(parameter.declaration.name);
+  names.insert(names.end(), refused_.begin(), refused_.end());  // so that their use is not an error, too
   std::vector<DeclarationError> errors;
   MachineReader(L, definition, names, places_of_, errors)
       .read(1, static_cast<int>(lua_tointeger(L, lua_upvalueindex(3))));
   for (DeclarationError& error : resolve(definition)) errors.push_back(std::move(error));
-  refuse(definition.file, std::move(errors));
+  note(definition.file, std::move(errors));
   machines.push_back(std::move(definition));
   return 0;
 }

@@ -44,7 +44,7 @@ class Declarations {
   std::deque<MachineDefinition> machines;
   std::vector<DeclaredParameter> parameters;
   std::vector<KeptMemory> memories;
-  std::vector<ScriptFault> faults;  ///< all errors of the refused declaration
+  std::vector<ScriptFault> faults;  ///< the errors of all declarations
 
   void set_value(DeclaredParameter& parameter, const ParameterValue& value);
 
@@ -64,14 +64,15 @@ class Declarations {
   void read_parameter(lua_State* L, const std::string& file);
   ParameterDeclaration read_parameter_declaration(lua_State* L, const std::string& name);
 
-  /// Throws std::runtime_error if there are errors.
-  void refuse(const std::string& file, std::vector<DeclarationError> errors);
+  /// Adds errors to `faults`. The script continues, so that its other errors are found, too.
+  void note(const std::string& file, std::vector<DeclarationError> errors);
 
   lua_State* lua_;
   bool is_scenario_;
   bool closed_ = false;
   PlacesOf places_of_;
   Preview preview_;
+  std::vector<std::string> refused_;  ///< names of parameters with errors
 };
 
 }  // namespace reorient

@@ -176,9 +176,8 @@ behavior "odd" { state "a" { history = "yes" } }
       "behaviors/odd.lua:3:3: error: param choice has a string as default, so it is a choice: unexpected key 'range'\n"
       "behaviors/odd.lua:4:3: error: param number is a number: unexpected key 'choices'\n"
       "behaviors/odd.lua:5:3: error: param whole: expected a whole number as default\n"
-      "behaviors/odd.lua:6:3: error: param wide: expected range = { minimum, maximum }\n");
-  folder.write("behaviors/odd.lua", "behavior \"odd\" { state \"a\" { history = \"yes\" } }\n");
-  EXPECT_EQ(findings(), "behaviors/odd.lua:1:30: error: history: expected true or false\n");
+      "behaviors/odd.lua:6:3: error: param wide: expected range = { minimum, maximum }\n"
+      "behaviors/odd.lua:8:30: error: history: expected true or false\n");
 }
 
 TEST_F(ScriptCheckTest, ChecksTestsAgainstTheDeclarationsOfTheScripts) {
@@ -282,6 +281,38 @@ TEST_F(ScriptCheckTest, KnowsTheFlagsThatStatesPublish) {
   folder.write("behaviors/b.lua",
                "behavior \"b\" { update = function() print(published.is_here, published.is_her) end }\n");
   EXPECT_EQ(findings(), "behaviors/b.lua:1:71: error: no state publishes 'is_her' (did you mean 'is_here'?)\n");
+}
+
+/// Each script has one mistake. A script that cannot be loaded must not hide the mistakes of the others.
+TEST_F(ScriptCheckTest, ReportsTheMistakesOfAllScriptsAtOnce) {
+  folder.write("lib/broken.lua", "local p = param { size = }\nreturn p\n");
+  folder.write("behaviors/a.lua", "require \"lib.broken\"\nbehavior \"first\" { publishes = \"is_first\" }\n");
+  folder.write("behaviors/b.lua", R"(local p = param { speed = { 1, range = { 0, 2 } } }
+behavior "b" { initial = "here", state "here" { { "elsewhere", after = "speed" } } }
+)");
+  folder.write("behaviors/c.lua", R"(behavior "c" { initial = "here", state "here" {},
+  update = function() return behaviors.penalty_mark.state, published.pose_searched, behaviors.first.state == "x",
+    published.is_first end
+}
+)");
+  folder.write("scenarios/s.lua", "scenario \"s\" { behaviors = { \"c\" }, initial = \"there\" }\n");
+  folder.write("tests/a_test.lua", R"(test("x", function()
+  load_behavior "c"
+  set_param("b.speed", "1")
+  set_param("b.speeed", "1")
+  expect.state("c", "gone")
+end)
+)");
+  EXPECT_EQ(
+      findings(),
+      "behaviors/b.lua:1:19: error: param speed: missing description: doc = \"what it is\"\n"
+      "behaviors/b.lua:2:51: error: state 'here': unknown target state 'elsewhere'\n"
+      "behaviors/c.lua:2:40: error: unknown behavior 'penalty_mark'\n"
+      "behaviors/c.lua:2:70: error: no state publishes 'pose_searched'\n"
+      "lib/broken.lua:1:26: error: unexpected symbol near '}'\n"
+      "scenarios/s.lua:1:10: error: the machine has an initial state but no states\n"
+      "tests/a_test.lua:4:13: error: argument 1 of set_param: unknown value 'b.speeed' (did you mean 'b.speed'?)\n"
+      "tests/a_test.lua:5:21: error: c: unknown state 'gone'\n");
 }
 
 TEST_F(ScriptCheckTest, RejectsChoicesThatAParameterFileCannotContain) {

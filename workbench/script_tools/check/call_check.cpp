@@ -222,7 +222,7 @@ void ScriptReading::check_contents(const Symbol& expected, const Expression& tab
 void ScriptReading::check_state(const Meaning& machine, const Meaning& path) {
   if (!is_text(machine) || !is_text(path)) return;
   const auto states = known_.states.find(machine.literal->text);
-  if (states == known_.states.end() || states->second.contains(path.literal->text)) return;
+  if (states == known_.states.end() || states->second.empty() || states->second.contains(path.literal->text)) return;
   if (is_edited_in(path.literal->text)) return;
   note(*path.literal, machine.literal->text + ": unknown state '" + path.literal->text + "'" +
                           hint(path.literal->text, {states->second.begin(), states->second.end()}));

@@ -98,7 +98,28 @@ class ScriptCheck {
       host.load(file);
     } catch (const ScriptError& error) {
       note(error);
-      (file.starts_with("behaviors/") ? knows_behaviors_ : knows_scenarios_) = false;
+      take_in_text(file);
+      for (const std::string& library : texts_.in_folder("lib")) take_in_text(library);
+    }
+  }
+
+  /// The names that a script declares which cannot be loaded, so that its mistake hides no other one. The states of its
+  /// machine stay unknown.
+  void take_in_text(const std::string& file) {
+    const ScriptText* const script = texts_.find(file);
+    if (script == nullptr) return;
+    const std::string stem = std::filesystem::path(file).stem().string();
+    const std::vector<LuaToken> tokens = lua_tokens(script->text);
+    for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+      if (tokens[i].kind != LuaToken::Kind::name) continue;
+      const std::string& word = tokens[i].text;
+      const bool is_assigned = tokens[i + 1].is_symbol("=");
+      const LuaToken& value = tokens[is_assigned ? i + 2 : i + 1];
+      if (is_assigned) declared_.parameters.insert(stem + "." + word);
+      if (value.kind != LuaToken::Kind::text) continue;
+      if (is_assigned && word == "publishes") declared_.published.insert(value.text);
+      if (!is_assigned && word == "behavior") declared_.behaviors[value.text];
+      if (!is_assigned && word == "scenario") declared_.scenarios[value.text];
     }
   }
 
@@ -174,9 +195,7 @@ class ScriptCheck {
       result_.findings.push_back({Severity::error, file, {fault->line, column}, fault->message});
       return;
     }
-    // If a script cannot be loaded, names may be missing. Only tests name scenarios.
-    const bool knows_all = knows_behaviors_ && (knows_scenarios_ || role != ScriptRole::test);
-    SymbolTable known = symbol_table(role, knows_all ? std::optional(declared_) : std::nullopt);
+    SymbolTable known = symbol_table(role, declared_);
     for (const auto& [module, table] : modules_) {
       known.modules[module] = {kTable, table};
       const ScriptText* const library = texts_.find(file_of(module));
@@ -218,8 +237,6 @@ class ScriptCheck {
   CoreParameters core_;
   ParameterRegistry core_parameters_;  ///< the engine's, whose names scripts must not use
   DeclaredNames declared_;
-  bool knows_behaviors_ = true;  ///< all files could be loaded
-  bool knows_scenarios_ = true;
   std::map<std::string, std::shared_ptr<TableSymbol>> modules_;
   std::set<std::string> checked_libraries_;
   CheckResult result_;

@@ -32,20 +32,19 @@ Symbol field_symbol(const WorldField& field) {
 /// Collects the tables, then moves them into the globals.
 class Vocabulary {
  public:
-  explicit Vocabulary(const std::optional<DeclaredNames>& declared) : declared_(declared) {
+  explicit Vocabulary(const DeclaredNames& declared) : declared_(declared) {
     for (const NameType& type : name_types())
       named_[std::string(type.type)] =
           type.names.empty() ? Symbol{kString} : one_of({type.names.begin(), type.names.end()});
     named_[std::string(kWorldType)] = world_changes();
-    if (!declared) return;
-    for (const auto* machines : {&declared->behaviors, &declared->scenarios})
+    for (const auto* machines : {&declared.behaviors, &declared.scenarios})
       states_.insert(machines->begin(), machines->end());
     std::set<std::string> machines;
     for (const auto& machine : states_) machines.insert(machine.first);
     named_["reorient.MachineName"] = one_of(std::move(machines));
-    named_["reorient.BehaviorScript"] = one_of(declared->behavior_scripts);
-    named_["reorient.ScenarioScript"] = one_of(declared->scenario_scripts);
-    named_["reorient.ParameterName"] = one_of(declared->parameters);
+    named_["reorient.BehaviorScript"] = one_of(declared.behavior_scripts);
+    named_["reorient.ScenarioScript"] = one_of(declared.scenario_scripts);
+    named_["reorient.ParameterName"] = one_of(declared.parameters);
   }
 
   void add_library() {
@@ -74,24 +73,18 @@ class Vocabulary {
   }
 
   void add_machines() {
-    Symbol behaviors{kTable};
-    Symbol published{kTable};
-    if (declared_) {
-      auto machines = new_table("behaviors");
-      machines->missing = "unknown behavior '";
-      for (const auto& [name, states] : declared_->behaviors) {
-        auto machine = new_table("behaviors." + name);
-        machine->fields = {{"state", one_of(states)}, {"time_in_state", {kNumber}}};
-        machines->fields[name] = {kTable, std::move(machine)};
-      }
-      behaviors.table = std::move(machines);
-      auto flags = new_table("published");
-      flags->missing = "no state publishes '";
-      for (const std::string& flag : declared_->published) flags->fields[flag] = {kBoolean};
-      published.table = std::move(flags);
+    auto machines = new_table("behaviors");
+    machines->missing = "unknown behavior '";
+    for (const auto& [name, states] : declared_.behaviors) {
+      auto machine = new_table("behaviors." + name);
+      machine->fields = {{"state", states.empty() ? Symbol{kString} : one_of(states)}, {"time_in_state", {kNumber}}};
+      machines->fields[name] = {kTable, std::move(machine)};
     }
-    globals_.fields["behaviors"] = std::move(behaviors);
-    globals_.fields["published"] = std::move(published);
+    auto flags = new_table("published");
+    flags->missing = "no state publishes '";
+    for (const std::string& flag : declared_.published) flags->fields[flag] = {kBoolean};
+    globals_.fields["behaviors"] = {kTable, std::move(machines)};
+    globals_.fields["published"] = {kTable, std::move(flags)};
   }
 
   void forget(const std::string& word) { globals_.fields.erase(word); }
@@ -145,7 +138,7 @@ class Vocabulary {
     return {kTable, std::move(world)};
   }
 
-  const std::optional<DeclaredNames>& declared_;
+  const DeclaredNames& declared_;
   NamedTypes named_;
   std::vector<FormerTable> former_;
   TableSymbol globals_{"", "unknown name '", {}, true};
@@ -155,7 +148,7 @@ class Vocabulary {
 
 }  // namespace
 
-SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& declared) {
+SymbolTable symbol_table(ScriptRole role, const DeclaredNames& declared) {
   Vocabulary known(declared);
   known.add_library();
   if (role == ScriptRole::test) {

@@ -53,7 +53,7 @@ struct FunctionSymbol {
 
 /// The declarations of the scripts of a folder.
 struct DeclaredNames {
-  /// Paths of the states of each machine.
+  /// Paths of the states of each machine. No paths: they are not known.
   std::map<std::string, std::set<std::string>> behaviors, scenarios;
   std::set<std::string> published;  ///< flags that some state publishes
   std::set<std::string> parameters;
@@ -68,8 +68,7 @@ struct SymbolTable {
 };
 
 /// The names of the bindings and of Lua's library. Scenarios know more names than behaviors; tests have their own.
-/// `declared`: empty if the names that other scripts declare are not known.
 enum class ScriptRole { behavior, scenario, library, test };
-SymbolTable symbol_table(ScriptRole role, const std::optional<DeclaredNames>& declared);
+SymbolTable symbol_table(ScriptRole role, const DeclaredNames& declared);
 
 }  // namespace reorient
