@@ -10,12 +10,12 @@
 namespace reorient {
 
 bool BackgroundWriting::is_busy() const {
-  return mistake_.valid() && mistake_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  return writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
 }
 
 void BackgroundWriting::start(std::function<void()> write) {
   end();
-  mistake_ = std::async(std::launch::async, [write = std::move(write)]() -> std::string {
+  writing_ = std::async(std::launch::async, [write = std::move(write)]() -> std::string {
     try {
       write();
       return {};
@@ -25,9 +25,10 @@ void BackgroundWriting::start(std::function<void()> write) {
   });
 }
 
+std::string BackgroundWriting::mistake() { return writing_.valid() ? writing_.get() : std::string(); }
+
 void BackgroundWriting::end() {
-  if (!mistake_.valid()) return;
-  if (const std::string mistake = mistake_.get(); !mistake.empty()) spdlog::warn("{}", mistake);
+  if (const std::string error = mistake(); !error.empty()) spdlog::warn("{}", error);
 }
 
 }  // namespace reorient

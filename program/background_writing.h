@@ -16,13 +16,16 @@ class BackgroundWriting {
   BackgroundWriting& operator=(const BackgroundWriting&) = delete;
 
   bool is_busy() const;
-  /// Runs `write` in its own thread. Its exception becomes a warning in the log when it ends. Waits if is_busy().
+  /// Runs `write` in its own thread. Its exception becomes a warning in the log when it ends, unless mistake() is
+  /// called. Waits if is_busy().
   void start(std::function<void()> write);
+  /// Waits for the running write, and returns its error. Empty: success, or nothing was started.
+  std::string mistake();
   /// Waits for the running write.
   void end();
 
  private:
-  std::future<std::string> mistake_;  // empty: success
+  std::future<std::string> writing_;  // its error; empty: success
 };
 
 }  // namespace reorient

@@ -3,18 +3,20 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "engine/parameters/utf8.h"
+#include "program/program_output.h"
 
 namespace reorient {
 namespace {
@@ -42,26 +44,72 @@ class OneLine : public spdlog::custom_flag_formatter {
   std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<OneLine>(); }
 };
 
-/// NO_COLOR: https://no-color.org
-spdlog::color_mode color_mode(const std::string& asked) {
-  if (asked == "always") return spdlog::color_mode::always;
-  const char* const no_color = std::getenv("NO_COLOR");
-  const bool is_unwanted = asked == "never" || (no_color != nullptr && *no_color != '\0');
-  return is_unwanted ? spdlog::color_mode::never : spdlog::color_mode::automatic;
+using StandardError = spdlog::sinks::stderr_color_sink_mt;
+
+std::unique_ptr<spdlog::formatter> line_formatter() {
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<RobotTime>('*').add_flag<OneLine>('?');
+  formatter->set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K%*[%^%l%$] %?" : "%*[%^%l%$] %?");
+  return formatter;
 }
+
+/// As StandardError does it.
+Color color_of(spdlog::level::level_enum level) {
+  switch (level) {
+    case spdlog::level::debug:
+      return Color::cyan;
+    case spdlog::level::info:
+      return Color::green;
+    case spdlog::level::warn:
+      return Color::yellow;
+    default:
+      return Color::red;
+  }
+}
+
+class LineSink : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  LineSink(std::function<void(std::string_view)> write, bool is_colored)
+      : write_(std::move(write)), is_colored_(is_colored) {}
+
+ protected:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t formatted;
+    formatter_->format(message, formatted);
+    std::string line(formatted.data(), formatted.size());
+    if (is_colored_ && message.color_range_end > message.color_range_start) {
+      line.insert(message.color_range_end, kColorEnd);
+      line.insert(message.color_range_start, sequence_of(color_of(message.level)));
+    }
+    write_(line);
+  }
+  void flush_() override {}
+
+ private:
+  std::function<void(std::string_view)> write_;
+  bool is_colored_;
+};
 
 }  // namespace
 
 void set_up_log(const std::string& level, const std::string& color) {
+  const bool is_colored = are_colors_printed(color, STDERR_FILENO);
   auto logger = std::make_shared<spdlog::logger>(
-      "reorient", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(color_mode(color)));
-  auto formatter = std::make_unique<spdlog::pattern_formatter>();
-  formatter->add_flag<RobotTime>('*').add_flag<OneLine>('?');
-  formatter->set_pattern(isatty(STDERR_FILENO) == 1 ? "\r\033[K%*[%^%l%$] %?" : "%*[%^%l%$] %?");
-  logger->set_formatter(std::move(formatter));
+      "reorient", std::make_shared<StandardError>(is_colored ? spdlog::color_mode::always : spdlog::color_mode::never));
+  logger->set_formatter(line_formatter());
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(std::move(logger));
 }
+
+LogRedirection::LogRedirection(std::function<void(std::string_view line)> write)
+    : before_(spdlog::default_logger()->sinks().back()) {
+  auto* const terminal = dynamic_cast<StandardError*>(before_.get());
+  const auto sink = std::make_shared<LineSink>(std::move(write), terminal != nullptr && terminal->should_color());
+  sink->set_formatter(line_formatter());
+  spdlog::default_logger()->sinks().back() = sink;
+}
+
+LogRedirection::~LogRedirection() { spdlog::default_logger()->sinks().back() = before_; }
 
 void set_log_time(std::optional<double> time) { robot_time = time.value_or(kUnknown); }
 

@@ -2,7 +2,6 @@
 #include "program/safe_output.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string_view>
 
 #include "engine/parameters/utf8.h"
@@ -64,18 +63,19 @@ int SafeOutput::sync() {
   return is_written && out_.pubsync() == 0 ? 0 : -1;
 }
 
-bool SafeOutput::put(const std::string& text) {
+void SafeOutput::put_control(std::string_view sequence) {
+  SafeOutput::sync();
+  put(sequence);
+  out_.pubsync();
+}
+
+bool SafeOutput::put(std::string_view text) {
   const auto size = static_cast<std::streamsize>(text.size());
   return out_.sputn(text.data(), size) == size;
 }
 
 void print_error(std::ostream& err, std::string_view text) {
   err << "reorient: " << as_line(text) << '\n' << std::flush;
-}
-
-void clear_terminal_line(std::ostream& err) {
-  err << std::flush;
-  std::fputs("\r\x1B[K", stderr);
 }
 
 }  // namespace reorient

@@ -64,7 +64,6 @@ std::string pose_line(const FootageSetup& setup, const RobotBody& body, const Fo
 }  // namespace
 
 int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const Interruption interruption;
   ScriptEdits edits(options.scripts);
   const std::filesystem::path& offset = options.footage.camera_offset;
   const std::uint64_t mounting = offset.empty() ? 0 : mounting_of(load_calibration(offset));
@@ -78,6 +77,8 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   FootageRobot& itself = *robot;
   RobotInstance instance{std::move(robot), body, RobotInstance::Clock::simulated, nullptr, &itself};
   FrameLoop engine(std::move(prepared.frame));
+  // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
+  const Interruption interruption;
   err << "reorient: " << prepared.wall << "\nreorient: " << pose_line(setup, body, itself.frame()) << '\n';
   const auto failure = [&] {
     if (!itself.missed_change()) return itself.failure();
@@ -104,7 +105,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
                        .venue = setup.source.string(),
                        .subject = {.parameters = [&] { return engine.parameters(); },
                                    .kept_parameters = [&] { return prepared.kept; },
-                                   .scripts = options.scripts},
+                                   .scripts = [&] { return edits.known(); }},
                        .failure = failure},
                       {{}, {}, verdict}, out, err);
 }

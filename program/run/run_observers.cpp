@@ -15,7 +15,7 @@
 
 #include "engine/parameters/counted.h"
 #include "program/log.h"
-#include "program/safe_output.h"
+#include "program/program_output.h"
 #include "workbench/run/log_lines.h"
 
 namespace reorient {

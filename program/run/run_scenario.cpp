@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "program/interruption.h"
+#include "program/output_mailbox.h"
 #include "program/run/console/history_file.h"
 #include "program/run/report.h"
 #include "program/run/simulation.h"
@@ -46,6 +47,8 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   FrameTimes frame_times;
   DigestObserver digest;
   RunPictures pictures;
+  std::optional<OutputMailbox> mailbox;
+  if (options.realtime) mailbox.emplace(out, err);
   LiveConsole console(STDIN_FILENO, out, run.subject, history_path());
   LiveRun live(options, console, out, err);
 
@@ -100,11 +103,12 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
 }
 
 int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostream& out, std::ostream& err) {
-  const Interruption interruption;
   // Before the scripts are read, so that no edit is missed.
   std::optional<ScriptEdits> edits;
   if (options.realtime) edits.emplace(options.scripts);
   Simulation simulation(options);
+  // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
+  const Interruption interruption;
   return run_prepared(options,
                       {.live = {.parts = simulation.parts(),
                                 .edits = edits ? &*edits : nullptr,
@@ -114,7 +118,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                        .subject = {.scenario = &simulation.scenario(),
                                    .parameters = [&] { return simulation.parameters(); },
                                    .kept_parameters = [&] { return simulation.kept_parameters(); },
-                                   .scripts = options.scripts,
+                                   .scripts = [&] { return edits->known(); },
                                    .running = [&] { return &simulation.engine().scripts(); }}},
                       guests, out, err);
 }

@@ -30,6 +30,8 @@ class ScriptEdits : public InputSource {
 
   /// The latest texts. For an engine that starts with them: their edits are not added to a frame.
   const ScriptTexts& texts();
+  /// The texts of which the engine knows the edits.
+  const ScriptTexts* known() const { return &texts_; }
   /// Edits between the `known` scripts and texts(), while no watcher ran, come with the next frame.
   void add_missed(const ScriptTexts& known);
 

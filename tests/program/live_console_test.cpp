@@ -15,7 +15,9 @@
 #include "program/run/console/condition_values.h"
 #include "tests/engine/frame_fixture.h"
 #include "tests/temporary_folder.h"
+#include "tests/waiting.h"
 #include "workbench/files/parameter_file.h"
+#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -46,11 +48,11 @@ class LiveConsoleTest : public ::testing::Test {
       for (const Parameter& parameter : scenario->parameters().list()) all.push_back(parameter);
       return all;
     };
-    console.emplace(
-        ends_[0], out_,
-        ConsoleSubject{.scenario = &*scenario, .parameters = parameters, .scripts = folder.path(), .running = [this] {
-                         return &loop.engine->scripts();
-                       }});
+    console.emplace(ends_[0], out_,
+                    ConsoleSubject{.scenario = &*scenario,
+                                   .parameters = parameters,
+                                   .scripts = [this] { return &(on_disk = read_scripts(folder.path())); },
+                                   .running = [this] { return &loop.engine->scripts(); }});
     poll();
   }
   ~LiveConsoleTest() override {
@@ -79,6 +81,15 @@ class LiveConsoleTest : public ::testing::Test {
     type(line + "\n");
     return poll();
   }
+  /// The same for a command whose answer may come some frames later.
+  std::string late_answer(const std::string& line) {
+    std::string text = answer(line);
+    await([&] {
+      if (text.empty()) text = poll();
+      return !text.empty();
+    });
+    return text;
+  }
   std::string printed() const { return out_.str().substr(out_.str().rfind('\n', out_.str().size() - 2) + 1); }
   /// The output in this many frames.
   std::string polls(int frames) {
@@ -98,6 +109,7 @@ class LiveConsoleTest : public ::testing::Test {
   TemporaryFolder folder;
   HandFedLoop loop{kLamp};
   std::optional<ScenarioHost> scenario;
+  ScriptTexts on_disk;
   std::optional<LiveConsole> console;
 
  private:
@@ -136,7 +148,7 @@ TEST_F(LiveConsoleTest, ReportsErrorsAndChangesNothing) {
   EXPECT_NE(answer("set tested.levle 0.7").find("tested.level"), std::string::npos);
   EXPECT_NE(answer("set tested.level").find("set NAME VALUE"), std::string::npos);
   EXPECT_NE(answer("sett tested.level 1").find("did you mean 'set'"), std::string::npos);
-  EXPECT_NE(answer("save /no/such/folder/file").find("cannot write"), std::string::npos);
+  EXPECT_NE(late_answer("save /no/such/folder/file").find("cannot write"), std::string::npos);
   EXPECT_EQ(answer("states now"), "  expected states\n");
   EXPECT_EQ(level(), 0.5);
 }
@@ -152,10 +164,10 @@ TEST_F(LiveConsoleTest, ListsParametersAndStates) {
 TEST_F(LiveConsoleTest, SavesChangedParameters) {
   answer("set tested.level 0.25");
   const std::filesystem::path file = folder.path() / "tuned.toml";
-  EXPECT_NE(answer("save " + file.string()).find("written"), std::string::npos);
-  EXPECT_NE(
-      answer("save " + folder.path().string()).find("expected a file, found a folder; name another file with save"),
-      std::string::npos);
+  EXPECT_NE(late_answer("save " + file.string()).find("written"), std::string::npos);
+  EXPECT_NE(late_answer("save " + folder.path().string())
+                .find("expected a file, found a folder; name another file with save"),
+            std::string::npos);
   FrameSetup setup;
   setup.parameters = read_parameters(file);
   HandFedLoop again(kLamp, std::move(setup));
@@ -263,7 +275,7 @@ TEST_F(LiveConsoleTest, ListsParametersThatDifferFromTheDefaults) {
   answer("set tested.level 0.5");
   EXPECT_EQ(answer("diff"), "  scene.pace = 2  (default 1; live)\n");
   const std::filesystem::path file = folder.path() / "tuned.toml";
-  answer("save " + file.string());
+  late_answer("save " + file.string());
   EXPECT_EQ(read_parameters(file).size(), 1u) << "a parameter that has its default again is not saved";
 }
 
@@ -399,8 +411,9 @@ TEST_F(LiveConsoleTest, ListsItsCommands) {
 }
 
 TEST_F(LiveConsoleTest, CompletesArgumentsOfCommands) {
-  CommandTable table(
-      {.scenario = &*scenario, .parameters = [this] { return loop.engine->parameters(); }, .scripts = folder.path()});
+  CommandTable table({.scenario = &*scenario,
+                      .parameters = [this] { return loop.engine->parameters(); },
+                      .scripts = [this] { return &(on_disk = read_scripts(folder.path())); }});
   loop.step();
   table.observe(loop.record(), SceneTruth());
   const auto offers = [&](const Words& before, const std::string& name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The prompt at a terminal: keys, completion, history, and the restored terminal.
 #include <csignal>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,38 @@ class AtATerminal : public ::testing::Test {
   TemporaryFolder folder;
   std::optional<TerminalRun> run;
 };
+
+/// A stopped terminal accepts nothing until Ctrl-Q.
+TEST(AtAStoppedTerminal, TheRunContinues) {
+  const TemporaryFolder folder;
+  const std::filesystem::path summary = folder.path() / "summary.json";
+  std::vector<std::string> command = kPatrol;
+  command.insert(command.end(), {"--seconds", "2", "--json", summary.string()});
+  TerminalRun run(command, folder.path());
+  if (!run.has_terminal()) GTEST_SKIP() << "no pseudo-terminal can be opened here";
+  ASSERT_TRUE(run.await("real time"));
+  run.type("\x13");
+  ASSERT_TRUE(await([&] { return std::filesystem::exists(summary); })) << "the run waits for the terminal";
+  EXPECT_EQ(run.shown().find("digest: "), std::string::npos) << "the terminal was not stopped";
+  run.type("\x11");
+  EXPECT_TRUE(run.await("digest: ")) << run.shown();
+  run.wait();
+}
+
+TEST(AtAColoredTerminal, TheTimelineShowsWhatMatters) {
+  const TemporaryFolder folder;
+  constexpr const char* kGreen = "\x1B[32m";
+  TerminalRun run({kProgram, "run", "--seconds", "45", "--width", "160", "--no-pictures"}, folder.path());
+  if (!run.has_terminal()) GTEST_SKIP() << "no pseudo-terminal can be opened here";
+  ASSERT_TRUE(run.await(kGreen));
+  EXPECT_TRUE(run.await("flip_pose granted")) << run.shown();
+  EXPECT_TRUE(run.await("\x1B[0m"));
+  run.kill(SIGKILL);
+  TerminalRun plain({kProgram, "run", "--color", "never", "--seconds", "45", "--width", "160", "--no-pictures"},
+                    folder.path());
+  EXPECT_TRUE(plain.await("flip_pose granted")) << plain.shown();
+  EXPECT_EQ(plain.passed().find(kGreen), std::string::npos);
+}
 
 TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunContinues) {
   for (int i = 0; i < 2; ++i) {

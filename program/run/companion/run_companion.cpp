@@ -19,6 +19,7 @@
 #include "engine/record/digest.h"
 #include "program/interruption.h"
 #include "program/monotonic_clock.h"
+#include "program/output_mailbox.h"
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/name_pattern.h"
@@ -132,9 +133,10 @@ void try_out(const RunOptions& options, const ScriptTexts& scripts) {
 }  // namespace
 
 int run_companion(const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const Interruption interruption;
   ScriptEdits edits(options.scripts);
   try_out(options, edits.texts());
+  // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
+  const Interruption interruption;
   if (!options.model.empty()) require_writable_file(options.model, "--model");
   std::optional<SavedModel> model = model_to_begin_with(options);
   const std::filesystem::path socket = options.socket.empty() ? default_socket_path() : options.socket;
@@ -147,10 +149,11 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
 
   // The prompt's engine changes with each client of another robot.
   FrameLoop* engine_now = nullptr;
+  const OutputMailbox mailbox(out, err);
   LiveConsole console(
       STDIN_FILENO, out,
       {.parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
-       .scripts = options.scripts,
+       .scripts = [&] { return edits.known(); },
        .running = [&] { return engine_now != nullptr ? &engine_now->scripts() : nullptr; }},
       history_path());
   const auto is_over = [&] {

@@ -20,7 +20,7 @@ struct ConsoleSubject {
   ScenarioHost* scenario = nullptr;                                 ///< may be nullptr
   std::function<std::vector<Parameter>()> parameters;               ///< all existing parameters
   std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not loaded; may be empty
-  std::filesystem::path scripts{};                                  ///< their root
+  std::function<const ScriptTexts*()> scripts{};                    ///< as last read from the disk
   std::function<const ScriptTexts*()> running{};                    ///< the behaviors' texts; may be empty
 };
 

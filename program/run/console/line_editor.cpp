@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "engine/parameters/utf8.h"
+#include "program/program_output.h"
 #include "program/run/console/history_file.h"
 
 namespace reorient {
@@ -79,6 +80,17 @@ std::optional<int> columns_of(int descriptor) {
   return size.ws_col;
 }
 
+/// A file that passes on to a stream what is written to it.
+std::FILE* file_of(std::ostream& out) {
+  constexpr cookie_io_functions_t kFunctions{nullptr,
+                                             [](void* cookie, const char* text, std::size_t size) {
+                                               print_control(*static_cast<std::ostream*>(cookie), {text, size});
+                                               return static_cast<ssize_t>(size);
+                                             },
+                                             nullptr, nullptr};
+  return fopencookie(&out, "w", kFunctions);
+}
+
 std::string common_beginning(const Words& words) {
   std::string common = words.front();
   for (const std::string& word : words) {
@@ -97,14 +109,18 @@ bool LineEditor::is_possible(int descriptor) {
          columns_of(STDOUT_FILENO);
 }
 
-LineEditor::LineEditor(int descriptor, Candidates candidates, std::optional<std::filesystem::path> history)
+LineEditor::LineEditor(int descriptor, std::ostream& out, Candidates candidates,
+                       std::optional<std::filesystem::path> history)
     : descriptor_(descriptor),
+      out_(out),
+      out_file_(file_of(out), std::fclose),
       candidates_(std::move(candidates)),
       history_file_(std::move(history)),
       history_(history_init(), history_end),
       editor_(nullptr, el_end),
       keys_(bound_keys()) {
-  editor_.reset(el_init_fd("reorient", stdin, stdout, stderr, descriptor, STDOUT_FILENO, STDERR_FILENO));
+  if (out_file_)
+    editor_.reset(el_init_fd("reorient", stdin, out_file_.get(), stderr, descriptor, STDOUT_FILENO, STDERR_FILENO));
   if (!editor_ || !history_) throw std::runtime_error("line editing is not possible on this terminal");
   HistEvent event;
   ::history(history_.get(), &event, H_SETSIZE, static_cast<int>(kMostHistory));
@@ -210,6 +226,7 @@ void LineEditor::take_key(const std::string& key, Typed& typed) {
   key_ = key;
   int count = 0;
   const wchar_t* const letters = el_wgets(editor_.get(), &count);
+  std::fflush(out_file_.get());
   key_.clear();
   if (letters != nullptr && count > 0 && letters[count - 1] == L'\n') {
     const LineInfo& line = *el_line(editor_.get());
@@ -219,7 +236,7 @@ void LineEditor::take_key(const std::string& key, Typed& typed) {
   }
   if (listing_.empty()) return;
   hide();
-  std::fputs(std::exchange(listing_, {}).c_str(), stdout);
+  out_ << std::exchange(listing_, {}) << std::flush;
   show();
 }
 
@@ -283,6 +300,7 @@ void LineEditor::show() {
     el_set(editor_.get(), EL_UNBUFFERED, 1);  // begins a line, and shows the prompt
     TerminalGuard::remember_own_modes();
   }
+  std::fflush(out_file_.get());
   line_ = Line::shown;
 }
 
@@ -290,8 +308,8 @@ void LineEditor::hide() {
   if (line_ != Line::shown) return;
   std::string text = "\r";
   for (int row = rows_above_cursor(editor_.get(), columns_); row > 0; --row) text += "\x1B[A";
-  std::fputs((text + "\x1B[J").c_str(), stdout);
-  std::fflush(stdout);
+  std::fflush(out_file_.get());
+  print_control(out_, text + "\x1B[J");
   line_ = Line::hidden;
 }
 

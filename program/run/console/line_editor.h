@@ -2,8 +2,10 @@
 // A line editor for a terminal during the run: libedit, fed key by key.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +25,9 @@ class LineEditor {
   /// Completions for the next word after these.
   using Candidates = std::function<Words(const Words& before)>;
 
-  /// Reads `descriptor` and writes to the standard output, which are one terminal. The locale must be one of UTF-8.
-  /// `history`: file with the lines of earlier runs; nothing: no history.
-  LineEditor(int descriptor, Candidates candidates, std::optional<std::filesystem::path> history);
+  /// Reads `descriptor` and writes to `out`, the standard output, which are one terminal. The locale must be one of
+  /// UTF-8. `history`: file with the lines of earlier runs; nothing: no history.
+  LineEditor(int descriptor, std::ostream& out, Candidates candidates, std::optional<std::filesystem::path> history);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
@@ -62,6 +64,8 @@ class LineEditor {
   void follow_size();
 
   int descriptor_;
+  std::ostream& out_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out_file_;  ///< libedit's way to `out_`
   Candidates candidates_;
   std::optional<std::filesystem::path> history_file_;
   Words typed_;  ///< lines of this run

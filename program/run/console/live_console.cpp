@@ -83,7 +83,7 @@ void LiveConsole::open() {
   open_ = true;
   if (editor_ || !LineEditor::is_possible(descriptor_)) return;
   editor_.emplace(
-      descriptor_, [this](const Words& before) { return table_.candidates(before); }, history_);
+      descriptor_, out_, [this](const Words& before) { return table_.candidates(before); }, history_);
 }
 
 void LiveConsole::close() {

@@ -2,12 +2,14 @@
 #include "program/run/console/parameter_commands.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/nearest_name.h"
+#include "program/background_writing.h"
 #include "program/run/console/name_pattern.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
@@ -98,9 +100,18 @@ Reply ParameterCommands::differences() const {
 }
 
 Reply ParameterCommands::save(const std::string& file) const {
-  return [this, file](const FrameRecord&, const SceneTruth&) {
-    require_writable_file(file, "save");
-    save_parameters(parameters_(), kept_parameters_ ? kept_parameters_() : std::vector<ParameterChange>(), file);
+  return [this, file, writing = std::shared_ptr<BackgroundWriting>()](
+             const FrameRecord&, const SceneTruth&) mutable -> std::optional<std::string> {
+    if (!writing) {
+      writing = std::make_shared<BackgroundWriting>();
+      writing->start([file, parameters = parameters_(),
+                      kept = kept_parameters_ ? kept_parameters_() : std::vector<ParameterChange>()] {
+        require_writable_file(file, "save");
+        save_parameters(parameters, kept, file);
+      });
+    }
+    if (writing->is_busy()) return std::nullopt;
+    if (const std::string mistake = writing->mistake(); !mistake.empty()) throw std::runtime_error(mistake);
     return "  written; --params " + printable(file) + " loads it\n";
   };
 }

@@ -13,7 +13,6 @@
 #include "program/run/console/condition_values.h"
 #include "program/run/console/name_pattern.h"
 #include "program/run/console/world_commands.h"
-#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -110,9 +109,9 @@ std::string script_name(const std::string& file) {
 
 }  // namespace
 
-ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::filesystem::path root,
+ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::function<const ScriptTexts*()> on_disk,
                                std::function<const ScriptTexts*()> running)
-    : scenario_(scenario), root_(std::move(root)), running_(std::move(running)) {}
+    : scenario_(scenario), on_disk_(std::move(on_disk)), running_(std::move(running)) {}
 
 Reply ScriptCommands::states() { return states_text; }
 
@@ -131,7 +130,7 @@ Reply ScriptCommands::why(const std::string& machine) const {
 }
 
 Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const {
-  const ScriptTexts texts = read_scripts(root_);
+  const ScriptTexts& texts = *on_disk_();
   bool is_known = false;
   for (const std::string& file : texts.files()) {
     if (!name.empty() && file != name && script_name(file) != name) continue;
@@ -139,7 +138,7 @@ Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const
     inputs.script_edits.push_back({file, *texts.find(file), true});
   }
   if (!is_known)
-    throw std::runtime_error("unknown script '" + name + "' below " + root_.string() + did_you_mean(name, scripts()));
+    throw std::runtime_error("unknown script '" + name + "' below " + texts.root() + did_you_mean(name, scripts()));
   return [](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
     std::string text;
     for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads}) {
@@ -161,7 +160,7 @@ void ScriptCommands::observe(const FrameRecord& frame, const SceneTruth& scene) 
 
 Words ScriptCommands::scripts() const {
   Words names;
-  for (const std::string& file : read_scripts(root_).files()) names.push_back(script_name(file));
+  for (const std::string& file : on_disk_()->files()) names.push_back(script_name(file));
   return names;
 }
 

@@ -2,7 +2,6 @@
 // Commands of the prompt for behaviors and the scenario: their states, their transitions, and reloads.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,9 +12,10 @@ namespace reorient {
 
 class ScriptCommands {
  public:
-  /// `scenario` may be nullptr; `root`: the folder of the scripts; `running`: the texts of the running behaviors, may
-  /// be empty.
-  ScriptCommands(ScenarioHost* scenario, std::filesystem::path root, std::function<const ScriptTexts*()> running = {});
+  /// `scenario` may be nullptr; `on_disk`: the scripts as last read from the disk, which no command waits for;
+  /// `running`: the texts of the running behaviors, may be empty.
+  ScriptCommands(ScenarioHost* scenario, std::function<const ScriptTexts*()> on_disk,
+                 std::function<const ScriptTexts*()> running = {});
 
   /// All machines with state and cost; needs Topic::costs.
   static Reply states();
@@ -33,7 +33,7 @@ class ScriptCommands {
 
  private:
   ScenarioHost* scenario_;
-  std::filesystem::path root_;
+  std::function<const ScriptTexts*()> on_disk_;
   std::function<const ScriptTexts*()> running_;
   Words machines_;
 };

@@ -14,6 +14,7 @@
 
 #include "engine/parameters/counted.h"
 #include "program/interruption.h"
+#include "program/output_mailbox.h"
 #include "program/run/console/history_file.h"
 #include "program/run/live_run.h"
 #include "program/run/nao/nao_hardware.h"
@@ -57,7 +58,6 @@ class StartPlace : public InputSource {
 }  // namespace
 
 int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const Interruption interruption;
   ScriptEdits edits(options.scripts);
   if (!options.model.empty()) require_writable_file(options.model, "--model");
   const std::optional<SavedModel> model = model_to_begin_with(options);
@@ -106,10 +106,13 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   setup.model = as_mounted(model, mounting);
   const std::size_t behaviors = setup.behaviors.size();
   FrameLoop engine(std::move(setup));
+  // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
+  const Interruption interruption;
 
+  const OutputMailbox mailbox(out, err);
   LiveConsole console(STDIN_FILENO, out,
                       {.parameters = [&] { return engine.parameters(); },
-                       .scripts = options.scripts,
+                       .scripts = [&] { return edits.known(); },
                        .running = [&] { return &engine.scripts(); }},
                       history_path());
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
