@@ -6,6 +6,7 @@
 #include <csignal>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <new>
 #include <ostream>
@@ -23,6 +24,7 @@
 #include "program/interruption.h"
 #include "program/limits.h"
 #include "program/log.h"
+#include "program/program_output.h"
 #include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/recording/mcap/source.h"
@@ -65,7 +67,8 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
   std::string color = "auto";
-  app.add_option("--color", color, "color of log lines: always, never, auto (on a terminal, unless NO_COLOR is set)")
+  app.add_option("--color", color,
+                 "color of log lines and of the timeline: always, never, auto (on a terminal, unless NO_COLOR is set)")
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
@@ -98,6 +101,10 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
     return kBadInput;
   }
   set_up_log(log_level, color);
+  // A test's stream is no terminal, even if the test's own output is one.
+  if (auto* const output = dynamic_cast<SafeOutput*>(out.rdbuf()); output != nullptr)
+    output->is_colored =
+        color == "always" || (output->writes_to(std::cout) && are_colors_printed(color, STDOUT_FILENO));
   for (const Subcommand& subcommand : subcommands) {
     if (subcommand.parser->parsed()) return subcommand.run(out, err);
   }

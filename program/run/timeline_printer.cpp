@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "program/run/timeline_printer.h"
 
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -8,8 +9,21 @@
 
 #include "engine/parameters/counted.h"
 #include "engine/parameters/utf8.h"
+#include "program/program_output.h"
 
 namespace reorient {
+
+namespace {
+
+/// What matters: reorientations, what was refused, and notes. Nothing: no color.
+std::optional<Color> color_of(const TimelineEvent& event) {
+  if (event.reorients) return Color::green;
+  if (!event.command.empty() && event.verdict != to_string(Verdict::granted)) return Color::yellow;
+  if (event.state.starts_with("note: ") || event.machine == "game") return Color::cyan;
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::string to_text(const TimelineEvent& event) {
   const std::string what = event.command.empty() ? event.state : event.command + " " + event.verdict;
@@ -44,7 +58,13 @@ void TimelinePrinter::observe(const FrameRecord& frame, const SceneTruth& scene)
     }
     if (!std::exchange(printed, true) && make_room_) make_room_();
     if (!std::exchange(has_header_, true)) out_ << "    time  behavior              what it did (why)\n";
-    out_ << fmt::format("{:>6.2f} s  {:<20}  {}\n", event.time, as_line(event.machine), as_line(to_text(event)));
+    const std::string line =
+        fmt::format("{:>6.2f} s  {:<20}  {}", event.time, as_line(event.machine), as_line(to_text(event)));
+    if (const std::optional<Color> color = color_of(event); color)
+      print_colored(out_, *color, line);
+    else
+      out_ << line;
+    out_ << '\n';
   }
   if (printed) out_.flush();
 }
