@@ -18,10 +18,11 @@ struct reorient_pixels {
 };
 
 /** What a library of another version does not have. */
-#define REORIENT_DECODER_VERSION 1
+#define REORIENT_DECODER_VERSION 2
 int reorient_decoder_version(void);
 
-/** JPEG, PNG, WebP, TIFF and others. 0: it is done; else the bytes are no image, or a damaged one. */
+/** JPEG, PNG, WebP, TIFF and others. The pixels are as stored, so the caller applies the orientation of EXIF. 0: it is
+ * done; else the bytes are no image, or a damaged one. */
 int reorient_decode_image(const void* bytes, size_t size, struct reorient_pixels* pixels);
 
 /** What FFmpeg reads. NULL: it is no video. */

@@ -8,9 +8,11 @@
 #include <dlfcn.h>
 
 #include "robots/footage/footage.h"
+#include "robots/image_files/exif_orientation.h"
+#include "robots/image_files/jpeg_headers.h"
+#include "robots/image_files/png_chunks.h"
 #include "robots/image_formats.h"
 #include "workbench/footage/decoder_functions.h"
-#include "workbench/footage/jpeg_end.h"
 
 namespace reorient {
 namespace {
@@ -25,21 +27,48 @@ struct Functions {
   decltype(&reorient_close_video) close_video = nullptr;
 };
 
-Image image_of(const reorient_pixels& pixels, const std::string& where) {
+/// `orientation`: of EXIF, in which the image is shown.
+Image image_of(const reorient_pixels& pixels, const std::string& where, int orientation = 1) {
   constexpr int kLeast = 8, kMost = 16384;  // pixels a side
   if (std::min(pixels.width, pixels.height) < kLeast || std::max(pixels.width, pixels.height) > kMost)
     throw BadFootage(where + ": expected an image of " + std::to_string(kLeast) + " to " + std::to_string(kMost) +
                      " pixels a side, found " + std::to_string(pixels.width) + "x" + std::to_string(pixels.height));
-  Image image(pixels.width & ~1, pixels.height & ~1);
-  const auto row = 3 * static_cast<std::size_t>(pixels.width), used = 3 * static_cast<std::size_t>(image.width());
+  const ShownImage shown(pixels.width, pixels.height, orientation);
+  Image image(shown.width() & ~1, shown.height() & ~1);
   std::vector<std::uint8_t> even;
-  even.reserve(used * static_cast<std::size_t>(image.height()));
+  even.reserve(3 * static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
   for (int y = 0; y < image.height(); ++y) {
-    const unsigned char* const from = pixels.bgr + static_cast<std::size_t>(y) * row;
-    even.insert(even.end(), from, from + used);
+    if (orientation == 1) {  // whole rows are copied faster
+      const unsigned char* const from = pixels.bgr + 3 * shown.stored(0, y);
+      even.insert(even.end(), from, from + 3 * static_cast<std::size_t>(image.width()));
+      continue;
+    }
+    for (int x = 0; x < image.width(); ++x) {
+      const unsigned char* const from = pixels.bgr + 3 * shown.stored(x, y);
+      even.insert(even.end(), from, from + 3);
+    }
   }
   convert_image(even, PixelFormat::bgr, image);
   return image;
+}
+
+/// Throws BadFootage with the reason for which the library would refuse the image, or show it with gray parts.
+int checked_orientation(std::span<const std::uint8_t> bytes, const std::string& where) {
+  const auto require_end = [&](bool has_end, const char* format) {
+    if (!has_end)
+      throw BadFootage(where + ": expected a whole " + format + ", found " + std::to_string(bytes.size()) +
+                       " bytes without its end");
+  };
+  if (looks_like_png(bytes)) {
+    const PngChunks png = read_png_chunks(bytes);
+    require_end(png.has_end, "PNG");
+    return png.orientation;
+  }
+  if (!looks_like_jpeg(bytes)) return 1;
+  const JpegHeaders jpeg = read_jpeg_headers(bytes);
+  require_end(jpeg.has_end, "JPEG");
+  if (const std::string reason = undecodable(jpeg); !reason.empty()) throw BadFootage(where + ": " + reason);
+  return jpeg.orientation;
 }
 
 class VideoFile : public FrameReader {
@@ -120,13 +149,12 @@ const Functions& functions() {
 FootageDecoder decoder_library() {
   return {[](std::span<const std::byte> bytes, const std::string& where) {
             reorient_pixels pixels{};
-            if (is_cut_off_jpeg(bytes))
-              throw BadFootage(where + ": expected a whole JPEG, found " + std::to_string(bytes.size()) +
-                               " bytes without its end");
+            const int orientation =
+                checked_orientation({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, where);
             if (functions().decode_image(bytes.data(), bytes.size(), &pixels) != 0)
               throw BadFootage(where + ": expected an image, found " + std::to_string(bytes.size()) +
                                " bytes that are not an image, or a damaged image");
-            return image_of(pixels, where);
+            return image_of(pixels, where, orientation);
           },
           [](const std::filesystem::path& file) { return std::make_unique<VideoFile>(functions(), file); }};
 }

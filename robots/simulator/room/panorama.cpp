@@ -11,12 +11,16 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <png.h>
 #include <turbojpeg.h>
 
 #include "geometry/pinned_math.h"
+#include "robots/image_files/exif_orientation.h"
+#include "robots/image_files/jpeg_headers.h"
+#include "robots/image_files/png_chunks.h"
 #include "robots/simulator/room/radiance.h"
 
 namespace reorient {
@@ -45,8 +49,14 @@ std::vector<std::uint8_t> read_file(const std::string& path) {
   return bytes;
 }
 
-bool begins_with(std::span<const std::uint8_t> bytes, std::initializer_list<std::uint8_t> magic) {
-  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+/// `color_of`: the light of a stored pixel, by its index.
+template <typename ColorOf>
+LinearImage as_shown(const ShownImage& shown, ColorOf&& color_of) {
+  LinearImage image(shown.width(), shown.height());
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) image.at(x, y) = color_of(shown.stored(x, y));
+  }
+  return image;
 }
 
 /// Least number of bytes of the inflated rows of a PNG. `bytes` begins with a valid IHDR chunk.
@@ -65,23 +75,23 @@ LinearImage decode_png(std::span<const std::uint8_t> bytes, const std::string& n
     fail(name, std::string("expected a readable PNG, found damaged data (") + png.message + "); export it again");
   }
   constexpr png_uint_32 kSane = 1u << 20;
-  check_panorama_size(static_cast<int>(std::min(png.width, kSane)), static_cast<int>(std::min(png.height, kSane)),
-                      name);
+  const ShownImage shown(static_cast<int>(std::min(png.width, kSane)), static_cast<int>(std::min(png.height, kSane)),
+                         read_png_chunks(bytes).orientation);
+  check_panorama_size(shown.width(), shown.height(), name);
   // Deflate makes at most 1032 bytes of one. So reject a file that is too short before memory is allocated.
   constexpr std::size_t kMostOfOne = 1032;
   if (inflated_size(png, bytes) / kMostOfOne > bytes.size())
     fail(name, "expected more data, found the end of the file; fetch or export it again");
   png.format = PNG_FORMAT_LINEAR_RGB;
+  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // as viewers do: 16 bits without a gamma in the file are not linear
   std::vector<png_uint_16> light(3 * static_cast<std::size_t>(png.width) * png.height);
   if (png_image_finish_read(&png, nullptr, light.data(), 0, nullptr) == 0) {
     fail(name, std::string("expected intact image data, found damage (") + png.message + "); fetch or export it again");
   }
-  LinearImage image(static_cast<int>(png.width), static_cast<int>(png.height));
   constexpr float kFull = 65535.0f;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = LinearColor(light[3 * i], light[3 * i + 1], light[3 * i + 2]) / kFull;
-  }
-  return image;
+  return as_shown(shown, [&](std::size_t i) -> LinearColor {
+    return LinearColor(light[3 * i], light[3 * i + 1], light[3 * i + 2]) / kFull;
+  });
 }
 
 /// From sRGB's gamma (IEC 61966-2-1) to linear light.
@@ -94,15 +104,27 @@ std::array<float, 256> linear_from_srgb() {
   return table;
 }
 
-/// Limits the time of decoding: a progressive picture is decoded once for each scan, and a scan may have few bytes.
-void check_scans(std::span<const std::uint8_t> jpeg, const std::string& name) {
-  constexpr int kMost = 50;
-  int scans = 0;
-  for (std::size_t i = 1; i < jpeg.size(); ++i) scans += jpeg[i - 1] == 0xff && jpeg[i] == 0xda ? 1 : 0;
-  if (scans > kMost) fail(name, "expected at most " + std::to_string(kMost) + " scans, found more; export it again");
+/// Whether a decoder only skipped bytes that belong to no segment, which changes no pixel. It reports its first
+/// warning.
+bool only_skipped_bytes(tjhandle decoder) {
+  return tjGetErrorCode(decoder) == TJERR_WARNING &&
+         std::string_view(tjGetErrorStr2(decoder)).find("extraneous bytes") != std::string_view::npos;
+}
+
+/// Multiplies inks by black. Writers store them inverted, so 255 is no ink (Adobe Technical Note 5116).
+std::vector<std::uint8_t> rgb_of_inks(const std::vector<std::uint8_t>& cmyk) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(cmyk.size() / 4 * 3);
+  for (std::size_t i = 0; i < cmyk.size(); i += 4) {
+    for (std::size_t ink = 0; ink < 3; ++ink)
+      rgb.push_back(static_cast<std::uint8_t>((cmyk[i + ink] * cmyk[i + 3] + 127) / 255));
+  }
+  return rgb;
 }
 
 LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const JpegHeaders headers = read_jpeg_headers(bytes);
+  if (const std::string reason = undecodable(headers); !reason.empty()) fail(name, reason);
   const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), tjDestroy);
   if (!decoder) fail(name, "cannot be decoded: out of memory");
   int width = 0;
@@ -110,27 +132,28 @@ LinearImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& 
   int subsampling = 0;
   int colors = 0;
   const auto size = static_cast<unsigned long>(bytes.size());
-  if (tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colors) != 0 ||
-      width <= 0) {
+  // This also fails for a rare subsampling, such as 4:1:0, which is decoded nevertheless.
+  tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colors);
+  if (width <= 0 || height <= 0) {
     fail(name, std::string("expected a readable JPEG, found damaged data (") + tjGetErrorStr2(decoder.get()) +
                    "); export it again");
   }
-  if (colors == TJCS_CMYK || colors == TJCS_YCCK)
-    fail(name, "expected a JPEG in gray or RGB colors, found one in CMYK for printing; export it in sRGB");
-  check_panorama_size(width, height, name);
-  check_scans(bytes, name);
-  std::vector<std::uint8_t> shown(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  if (tjDecompress2(decoder.get(), bytes.data(), size, shown.data(), width, 0, height, TJPF_RGB, TJFLAG_ACCURATEDCT) !=
-      0) {
+  const ShownImage shown(width, height, headers.orientation);
+  check_panorama_size(shown.width(), shown.height(), name);
+  const bool has_inks = headers.colors == 4;
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<std::uint8_t> rgb((has_inks ? 4 : 3) * pixels);
+  if (tjDecompress2(decoder.get(), bytes.data(), size, rgb.data(), width, 0, height, has_inks ? TJPF_CMYK : TJPF_RGB,
+                    TJFLAG_ACCURATEDCT) != 0 &&
+      !only_skipped_bytes(decoder.get())) {
     fail(name, std::string("expected intact image data, found damage (") + tjGetErrorStr2(decoder.get()) +
                    "); fetch or export it again");
   }
+  if (has_inks) rgb = rgb_of_inks(rgb);
   static const std::array<float, 256> linear = linear_from_srgb();
-  LinearImage image(width, height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = {linear[shown[3 * i]], linear[shown[3 * i + 1]], linear[shown[3 * i + 2]]};
-  }
-  return image;
+  return as_shown(shown, [&](std::size_t i) -> LinearColor {
+    return {linear[rgb[3 * i]], linear[rgb[3 * i + 1]], linear[rgb[3 * i + 2]]};
+  });
 }
 
 }  // namespace
@@ -150,8 +173,8 @@ void check_panorama_size(int width, int height, const std::string& name) {
 
 LinearImage decode_panorama(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (looks_like_radiance(bytes)) return decode_radiance(bytes, name);
-  if (begins_with(bytes, {0x89, 'P', 'N', 'G'})) return decode_png(bytes, name);
-  if (begins_with(bytes, {0xff, 0xd8, 0xff})) return decode_jpeg(bytes, name);
+  if (looks_like_png(bytes)) return decode_png(bytes, name);
+  if (looks_like_jpeg(bytes)) return decode_jpeg(bytes, name);
   fail(name, "expected Radiance .hdr, .png or .jpg, found an unknown format; convert it");
 }
 

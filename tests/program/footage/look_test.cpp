@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `reorient look`, called as by a user, on images of the simulator that lie in a folder like real footage.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -15,8 +16,10 @@
 #include "robots/footage/frames_table.h"
 #include "tests/paths.h"
 #include "tests/program/footage/decoder.h"
+#include "tests/program/footage/image_files.h"
 #include "tests/program/footage/simulated_footage.h"
 #include "tests/program/program_run.h"
+#include "tests/robots/exif_block.h"
 #include "tests/temporary_folder.h"
 #include "workbench/field_images/recoloring.h"
 #include "workbench/footage/decoder_library.h"
@@ -112,6 +115,52 @@ TEST_F(Look, DoesNotReportAPitchForImagesOfTheHallOnly) {
     EXPECT_TRUE(image["pitch"]["degrees"].is_null());
   }
   EXPECT_NE(run.out.find("pitch searched for in 6, unknown in 6"), std::string::npos) << run.out;
+}
+
+/// A JPEG of which the left half is black and the right half is white, with `segment` after its first two bytes.
+std::string black_and_white(const TemporaryFolder& folder, const std::vector<std::uint8_t>& segment) {
+  std::string ppm = "P6 160 120 255\n";
+  for (int y = 0; y < 120; ++y)
+    ppm += std::string(std::size_t{3} * 80, '\0') + std::string(std::size_t{3} * 80, '\xff');
+  const std::vector<std::byte> jpeg = encoded(folder.write("halves.ppm", ppm), ".jpg");
+  std::string file(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
+  file.insert(2, std::string(segment.begin(), segment.end()));
+  return file;
+}
+
+TEST_F(Look, ShowsAnImageAsItsOrientationSays) {
+  const auto luma = [&](int orientation, int x, int y) {
+    const auto file = folder_.write("photo.jpg", black_and_white(folder_, exif_segment(orientation)));
+    return int{read_image(file, decoder_library()).view().at(x, y).y};
+  };
+  EXPECT_EQ(luma(1, 10, 60), 0);
+  EXPECT_EQ(luma(3, 10, 60), 255) << "rotated by 180 degrees";
+  EXPECT_EQ(luma(6, 60, 10), 0) << "rotated clockwise: the left side is on top";
+  EXPECT_EQ(luma(8, 60, 10), 255) << "rotated counterclockwise";
+  const ProgramRun run = look({folder_.write("photo.jpg", black_and_white(folder_, exif_segment(6))).string()});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(seen()[0]["camera"]["width"], 120);
+  EXPECT_EQ(seen()[0]["camera"]["height"], 160);
+}
+
+TEST_F(Look, NamesWhyAnImageCannotBeDecoded) {
+  const std::string jpeg = black_and_white(folder_, {});
+  const auto refusal = [&](const std::string& name, const std::string& bytes) {
+    const ProgramRun run = look({folder_.write(name, bytes).string()});
+    EXPECT_EQ(run.code, kBadInput);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    return run.err;
+  };
+  const std::size_t frame = jpeg.find("\xff\xc0");
+  std::string deep = jpeg, lossless = jpeg;
+  deep[frame + 4] = 12;
+  lossless[frame + 1] = '\xc3';
+  EXPECT_NE(refusal("deep.jpg", deep).find("deep.jpg: expected a JPEG with 8 bits per color, found 12"),
+            std::string::npos);
+  EXPECT_NE(refusal("lossless.jpg", lossless).find("found a lossless or hierarchical one"), std::string::npos);
+  const std::vector<std::byte> png = encoded(folder_.path() / "halves.ppm", ".png");
+  const std::string half(reinterpret_cast<const char*>(png.data()), png.size() / 2);
+  EXPECT_NE(refusal("half.png", half).find("half.png: expected a whole PNG"), std::string::npos);
 }
 
 TEST_F(Look, DoesNotReportAPitchForAPlainImage) {

@@ -44,7 +44,7 @@ int reorient_decode_image(const void* bytes, size_t size, reorient_pixels* pixel
   if (size == 0 || size > static_cast<size_t>(std::numeric_limits<int>::max())) return 1;
   try {
     const cv::Mat encoded(1, static_cast<int>(size), CV_8UC1, const_cast<void*>(bytes));  // read only
-    decoded = cv::imdecode(encoded, cv::IMREAD_COLOR);
+    decoded = cv::imdecode(encoded, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     return hand_over(decoded, pixels) ? 0 : 1;
   } catch (const std::exception&) {
     return 1;
