@@ -26,6 +26,7 @@
 #include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/script_files.h"
 #include "workbench/run/run_loop.h"
 #include "workbench/run/run_summary.h"
 #include "workbench/script_tools/testing/junit_report.h"
@@ -92,8 +93,19 @@ class CoverageObserver : public Observer {
   CoverageTrace& trace_;
 };
 
+/// A test may name scripts below the root only. Throws std::runtime_error for the path of another file, without looking
+/// whether it exists.
+void require_script_below(const ScriptTexts& texts, const char* folder, const std::string& name) {
+  const bool is_path = name.ends_with(".lua") || name.find('/') != std::string::npos;
+  if (is_path && texts.find(script_file(folder, name)) == nullptr)
+    throw std::runtime_error("simulate: expected a script below the root of the scripts, found '" + name + "'");
+}
+
 SimulationOutcome simulate(const std::filesystem::path& scripts, const SimulationRequest& request, CoverageTrace& trace,
                            const std::function<bool()>& stop, TestProgress& progress) {
+  const ScriptTexts texts = read_scripts(scripts);
+  require_script_below(texts, "scenarios", request.scenario);
+  for (const std::string& behavior : request.with) require_script_below(texts, "behaviors", behavior);
   SimulationOptions options;
   options.scenario = request.scenario;
   options.with = request.with;
@@ -101,9 +113,9 @@ SimulationOutcome simulate(const std::filesystem::path& scripts, const Simulatio
   options.seed = request.seed;
   options.width = request.width;
   options.seconds = request.seconds;
-  options.room = file_named_by_script(scripts, request.room);
+  options.room = room_named_by_script(scripts, request.room);
   options.hall_seed = request.hall_seed;
-  options.field = file_named_by_script(scripts, request.field);
+  options.field = field_named_by_script(scripts, request.field);
   options.room_awareness = request.room_awareness;
   for (const auto& [name, value] : request.parameters)
     options.parameters.assignments.emplace_back(name).append("=").append(value);

@@ -9,6 +9,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "workbench/files/home.h"
+#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -49,14 +50,34 @@ std::filesystem::path existing_file(std::string_view what, std::string_view asse
   throw std::runtime_error("unknown " + std::string(what) + " '" + named.string() + "'" + meant);
 }
 
+std::string named_by_script(std::string_view what, std::string_view folder, const std::filesystem::path& scripts,
+                            const std::string& named, std::span<const std::string_view> extensions) {
+  if (named.empty()) return named;
+  const std::filesystem::path assets = find_home() / "assets";
+  if (is_asset_name(named)) {
+    for (const std::string_view extension : extensions) {
+      std::filesystem::path shipped = assets / folder / named;
+      shipped += extension;
+      std::error_code error;
+      if (is_below(assets, shipped) && std::filesystem::is_regular_file(shipped, error)) return shipped.string();
+    }
+  }
+  const std::filesystem::path file = (scripts / named).lexically_normal();
+  if (is_below(scripts, file) || is_below(assets, file)) return file.string();
+  throw std::runtime_error(std::string(what) + " of a script: expected a file below the root of the scripts, or the " +
+                           "name of a shipped one, found '" + named + "'; copy the file there");
+}
+
 }  // namespace
 
 std::string Venue::name() const { return room.empty() ? "procedural hall " + std::to_string(hall_seed) : room; }
 
-std::string file_named_by_script(const std::filesystem::path& scripts, const std::string& named) {
-  const std::filesystem::path path = named;
-  const bool is_name = !path.has_parent_path() && !path.has_extension();
-  return named.empty() || is_name || path.is_absolute() ? named : (scripts / path).lexically_normal().string();
+std::string room_named_by_script(const std::filesystem::path& scripts, const std::string& named) {
+  return named_by_script("room", "rooms", scripts, named, kPanoramaExtensions);
+}
+
+std::string field_named_by_script(const std::filesystem::path& scripts, const std::string& named) {
+  return named_by_script("field", "fields", scripts, named, kTomlFiles);
 }
 
 std::filesystem::path body_file(const std::filesystem::path& named) {
@@ -80,11 +101,11 @@ std::string known_bodies() try {
 Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting, const RobotBody& body) {
   Venue venue;
   const bool room_is_told = !options.room.empty() || options.hall_seed;
-  const std::string room = room_is_told ? options.room : file_named_by_script(options.scripts, setting.room);
+  const std::string room = room_is_told ? options.room : room_named_by_script(options.scripts, setting.room);
   if (!room.empty()) venue.room = existing_file("room", "rooms", room, kPanoramaExtensions).string();
   venue.hall_seed = (room_is_told ? options.hall_seed : setting.hall_seed).value_or(1);
   const std::string field =
-      options.field.empty() ? file_named_by_script(options.scripts, setting.field) : options.field.string();
+      options.field.empty() ? field_named_by_script(options.scripts, setting.field) : options.field.string();
   venue.field = field_file(field, body);
   return venue;
 }

@@ -41,7 +41,11 @@ std::filesystem::path field_file(const std::filesystem::path& named, const Robot
 /// The shipped bodies, as text: "booster-k1, nao-v6".
 std::string known_bodies();
 
-/// A file as a script names it: the name of a shipped one, or a path from the scripts' root.
-std::string file_named_by_script(const std::filesystem::path& scripts, const std::string& named);
+/// The file of a room as a script names it: the name of a shipped one, or a path from the scripts' root; empty for an
+/// empty name. Throws std::runtime_error with one line for a file that is neither below the root nor shipped, without
+/// looking whether it exists: who runs a script need not have read it.
+std::string room_named_by_script(const std::filesystem::path& scripts, const std::string& named);
+/// The same for a field.
+std::string field_named_by_script(const std::filesystem::path& scripts, const std::string& named);
 
 }  // namespace reorient

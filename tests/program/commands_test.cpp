@@ -309,8 +309,49 @@ TEST_F(CommandsTest, ASimulatedTestChoosesItsRoom) {
   };
   EXPECT_EQ(result("hall_seed = 2, field = \"spl\"").code, kSuccess);
   EXPECT_NE(result("room = \"gone.hdr\"").out.find("unknown room '"), std::string::npos);
+  EXPECT_NE(result("room = \"hall\"").out.find("unknown room '"), std::string::npos);
   EXPECT_NE(result("hall_seed = -1").out.find("hall_seed: expected a non-negative whole number"), std::string::npos);
   EXPECT_NE(result("room = \"a.hdr\", hall_seed = 1").out.find("found both"), std::string::npos);
+}
+
+TEST_F(CommandsTest, ATestReadsNoFileOutsideOfTheScripts) {
+  const std::string outside = folder_.write("outside.toml", "").string(),
+                    script = folder_.write("own.lua", "").string();
+  std::filesystem::create_directories(scripts_ / "fields");
+  std::filesystem::create_symlink(outside, scripts_ / "fields/link.toml");
+  const auto refusal = [&](const std::string& scenario, const std::string& more) {
+    folder_.write("scripts/tests/place_test.lua", "test(\"a\", function() simulate { scenario = \"" + scenario +
+                                                      "\", seconds = 0.1, " + more + " } end)");
+    const ProgramRun result = run({"test", "--simulator", (scripts_ / "tests/place_test.lua").string()});
+    EXPECT_EQ(result.code, kWrong) << more;
+    return result.out;
+  };
+  const std::string absent = (folder_.path() / "absent").string();
+  for (const std::string& file :
+       {outside, absent + ".toml", absent, std::string("../outside.toml"), std::string("../absent.toml"),
+        std::string("a/../../outside"), std::string("fields/link.toml")}) {
+    for (const std::string what : {"room", "field"}) {
+      const std::string why = what + " of a script: expected a file below the root of the scripts, or the name of a " +
+                              "shipped one, found '" + file + "'";
+      EXPECT_NE(refusal("mirrored_placement", what + " = \"" + file + "\"").find(why), std::string::npos) << file;
+      folder_.write("scripts/scenarios/elsewhere.lua", "scenario \"elsewhere\" { behaviors = {}, " + what + " = \"" +
+                                                           file + "\", initial = \"a\", state \"a\" {} }");
+      EXPECT_NE(refusal("elsewhere", "").find(why), std::string::npos) << file;
+    }
+  }
+  for (const std::string& file : {script, absent + ".lua", absent, outside}) {
+    const std::string why = "simulate: expected a script below the root of the scripts, found '" + file + "'";
+    EXPECT_NE(refusal(file, "").find(why), std::string::npos) << file;
+    EXPECT_NE(refusal("mirrored_placement", "with = { \"" + file + "\" }").find(why), std::string::npos) << file;
+  }
+}
+
+TEST_F(CommandsTest, AScenarioMayNameAShippedFileByItsPath) {
+  const auto shipped = kProjectFolder / "assets/fields/spl.toml";
+  folder_.write("scripts/scenarios/elsewhere.lua", "scenario \"elsewhere\" { behaviors = {}, field = \"" +
+                                                       shipped.string() + "\", initial = \"a\", state \"a\" {} }");
+  const ProgramRun ran = run_shortly({"elsewhere", "--scripts", scripts_.string()});
+  EXPECT_NE(ran.out.find("digest: "), std::string::npos) << ran.err;
 }
 
 /// All keys of an object, and those of the objects in it.

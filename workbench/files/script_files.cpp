@@ -53,6 +53,21 @@ std::optional<std::string> path_below(const std::filesystem::path& root, const s
   return relative.generic_string();
 }
 
+bool is_below(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  const auto leads_out = [](const std::filesystem::path& from, const std::filesystem::path& to) {
+    const std::filesystem::path relative = to.lexically_relative(from);
+    return relative.empty() || *relative.begin() == "..";
+  };
+  std::error_code error;
+  const std::filesystem::path plain = std::filesystem::absolute(folder, error).lexically_normal();
+  const std::filesystem::path file = std::filesystem::absolute(path, error).lexically_normal();
+  if (error || leads_out(plain, file)) return false;
+  const std::filesystem::path real_folder = std::filesystem::weakly_canonical(plain, error);
+  if (error) return false;
+  const std::filesystem::path real_file = std::filesystem::weakly_canonical(file, error);
+  return !error && !leads_out(real_folder, real_file);
+}
+
 std::string script_named(const std::filesystem::path& root, const std::string& name) {
   std::error_code error;
   const std::filesystem::path path = name;

@@ -24,6 +24,10 @@ std::optional<ScriptText> read_script(const std::filesystem::path& root, const s
 /// The path from the root, with '/'; nothing if it is not below the root.
 std::optional<std::string> path_below(const std::filesystem::path& root, const std::filesystem::path& path);
 
+/// Whether the path is that of a file below the folder, also after links are followed. Does not look whether a file
+/// outside of the folder exists.
+bool is_below(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 /// The engine's name of a script that the user names by "orientation", a file below the root, or a path to that file.
 std::string script_named(const std::filesystem::path& root, const std::string& name);
 

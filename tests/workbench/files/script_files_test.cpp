@@ -113,6 +113,21 @@ TEST_F(ScriptFilesTest, AreNamedWithOrWithoutFolderAndExtension) {
   EXPECT_EQ(script_named(folder_.path(), "behaviors/a.lua"), "behaviors/a.lua");
 }
 
+TEST_F(ScriptFilesTest, AreBelowTheirFolderAlsoIfLinksAreFollowed) {
+  const std::filesystem::path root = folder_.path() / "root";
+  folder_.write("root/behaviors/a.lua", "");
+  folder_.write("outside.lua", "");
+  std::filesystem::create_symlink(folder_.path() / "outside.lua", root / "behaviors/out.lua");
+  std::filesystem::create_symlink("a.lua", root / "behaviors/in.lua");
+  std::filesystem::create_directory_symlink(root, folder_.path() / "link");
+  for (const char* const file : {"behaviors/a.lua", "behaviors/../behaviors/in.lua", "absent/b.lua", "..a"}) {
+    EXPECT_TRUE(is_below(root, root / file)) << file;
+    EXPECT_TRUE(is_below(folder_.path() / "link", folder_.path() / "link" / file)) << file;
+  }
+  for (const char* const file : {"../outside.lua", "../absent.lua", "behaviors/out.lua", "/etc/passwd", "/absent"})
+    EXPECT_FALSE(is_below(root, root / file)) << file;
+}
+
 TEST_F(ScriptFilesTest, AnEditIsReportedWithinTheDebounceTime) {
   folder_.write("behaviors/a.lua", "old");
   folder_.write("behaviors/b.lua", "gone soon");

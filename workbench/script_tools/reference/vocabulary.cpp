@@ -38,7 +38,8 @@ constexpr ScriptWord kLanguage[] = {
      "Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the "
      "field and runs after each frame. `behaviors`: scripts to load. `room = \"rooms/lab.hdr\"` or `hall_seed = 3`, "
      "and `field`: the setting, unless the command line sets it. `room` is the path of a panorama from the scripts' "
-     "root, or the name of one in assets/rooms; `field` likewise. Only scenarios have `truth`, `operator` and "
+     "root, or the name of one in assets/rooms; `field` likewise. Other files need `--room` and `--field`. Only "
+     "scenarios have `truth`, `operator` and "
      "`verdict`. They cannot move the robot.",
      {}},
     {"require(module: string): any",
