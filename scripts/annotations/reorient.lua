@@ -474,7 +474,7 @@ behaviors = {}
 ---@type table<string, boolean>
 published = {}
 
----Writes a line to the run's log.
+---Writes a line to the run's log; in a test, a line below its result.
 ---@param ... any
 function print(...) end
 

@@ -114,6 +114,41 @@ end))");
       << out.str();
 }
 
+TEST_F(ScriptedTests, PrintBelowTheirResult) {
+  run(R"(test("prints", function() print("pose", 1.5, nil, { }) print("two\nlines") print() end))");
+  EXPECT_EQ(summary.failed, 0) << out.str();
+  EXPECT_NE(out.str().find("ok      tests/lamp_test.lua: prints\n"
+                           "    printed: pose 1.5 nil table\n"
+                           "    printed: two lines\n"
+                           "    printed: \n"),
+            std::string::npos)
+      << out.str();
+  run("test(\"prints\", function() for i = 1, 1e6 do print(i) end end)");
+  EXPECT_EQ(only_failure().substr(0, only_failure().find('\n')), "print: expected at most 1000 lines in a test");
+  run("print(1) test(\"prints\", function() end)");
+  EXPECT_NE(only_failure().find("print: expected a call in a test"), std::string::npos) << only_failure();
+}
+
+TEST_F(ScriptedTests, SayWhatToWriteInsteadOfAWordOfBehaviors) {
+  const std::pair<const char*, const char*> words[] = {
+      {"published.is_lost", "published: a word of behaviors and scenarios, not of tests; expect.state("},
+      {"behaviors.lamp.state", "behaviors: a word of behaviors and scenarios, not of tests; expect.state("},
+      {"time_in_state()", "advance(SECONDS) lets time pass"},
+      {"command.flip_pose()", "expect.command(\"NAME\") checks a command of a behavior"},
+      {"log.info(\"x\")", "print(\"TEXT\") prints a line"},
+      {"param { }", "set_param(\"NAME\", \"VALUE\")"},
+      {"truth.x", "set_world { truth = { x = 1 } } sets the true pose"},
+      {"pose.x", "pose: a table of the world, which tests do not have; world_value(\"pose.FIELD\") reads a value"},
+      {"confidence.opposite", "world_value(\"confidence.FIELD\")"},
+  };
+  for (const auto& [word, why] : words) {
+    run(std::string("test(\"t\", function() local x = ") + word + " end)");
+    EXPECT_NE(only_failure().find(why), std::string::npos) << word << ": " << only_failure();
+  }
+  run(R"(test("t", function() expect.equal(some_global, nil) end))");
+  EXPECT_EQ(summary.failed, 0) << "a missing global of another name stays nil";
+}
+
 TEST_F(ScriptedTests, ShowWhereTwoTablesDiffer) {
   run(R"(test("t", function()
   expect.equal({ a = 1, b = { "x", "y" }, extra = true }, { a = 1, b = { "x", "z" }, missing = 2 })
@@ -394,13 +429,11 @@ test("caught", function() for i = 1, 100 do pcall(test, "inner " .. i, function(
 }
 
 TEST_F(ScriptedTests, CannotDeclareMachinesOrParameters) {
-  run(R"(test("t", function()
-  expect.equal(behavior, nil)
-  expect.equal(scenario, nil)
-  expect.equal(param, nil)
-  expect.equal(keep, nil)
-end))");
-  EXPECT_EQ(summary.failed, 0) << out.str();
+  for (const std::string word : {"behavior", "scenario", "param", "keep"}) {
+    run("test(\"t\", function() " + word + " { } end)");
+    EXPECT_NE(only_failure().find(word + ": a word of behaviors and scenarios, not of tests"), std::string::npos)
+        << only_failure();
+  }
 }
 
 TEST_F(ScriptedTests, AreIsolatedFromEachOther) {

@@ -55,7 +55,10 @@ constexpr ScriptWord kLanguage[] = {
      "Whether a state with `publishes = \"pose_is_searched\"` of any machine was active at the start of the frame; "
      "false if no script publishes it.",
      "---@type table<string, boolean>\npublished = {}"},
-    {"print(...: any)", "print(\"flips\", memory.flips)", "Writes a line to the run's log.", {}},
+    {"print(...: any)",
+     "print(\"flips\", memory.flips)",
+     "Writes a line to the run's log; in a test, a line below its result.",
+     {}},
 };
 
 constexpr ScriptWord kTest[] = {

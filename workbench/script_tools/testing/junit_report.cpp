@@ -59,12 +59,15 @@ std::string result_of(const TestCase& test) {
 
 std::string junit_report(const TestSummary& summary, const JunitOrigin& origin) {
   std::ostringstream cases;
+  std::string printed;
   cases << std::fixed << std::setprecision(3);
   double seconds = 0.0;
   int errors = 0;
   for (const TestCase& test : summary.cases) {
     seconds += test.seconds;
     if (!test.has_run) ++errors;
+    for (const std::string& line : test.printed)
+      printed += as_xml(as_line(test.file + ": " + test.name + ": " + line)) + "\n";
     cases << "  <testcase classname=\"" << as_xml(test.file) << "\" name=\"" << as_xml(test.name) << "\" time=\""
           << test.seconds << "\">\n"
           << result_of(test) << "  </testcase>\n";
@@ -75,7 +78,8 @@ std::string junit_report(const TestSummary& summary, const JunitOrigin& origin) 
       << as_xml(origin.hostname) << "\" tests=\"" << summary.cases.size() << "\" failures=\"" << summary.failed - errors
       << "\" errors=\"" << errors << "\" skipped=\"" << summary.skipped << "\" time=\"" << seconds
       << "\">\n  <properties/>\n"
-      << cases.str() << "  <system-out/>\n  <system-err/>\n</testsuite>\n";
+      << cases.str() << (printed.empty() ? "  <system-out/>\n" : "  <system-out>" + printed + "</system-out>\n")
+      << "  <system-err/>\n</testsuite>\n";
   return out.str();
 }
 

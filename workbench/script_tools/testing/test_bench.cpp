@@ -22,6 +22,7 @@ constexpr double kFramesPerSecond = 30.0;
 constexpr double kLongestAdvance = 3600.0;  // s, of one advance()
 constexpr std::size_t kMostFailures = 100;
 constexpr std::size_t kLongestFailure = 10'000;  // bytes
+constexpr std::size_t kMostPrinted = 1000;       // lines
 
 /// Throws std::runtime_error if the result is larger than a script may be.
 std::string replace_all(const std::string& text, const std::string& from, const std::string& to) {
@@ -92,6 +93,7 @@ void TestBench::add_to(lua_State* L) {
   add_function<&TestBench::replay>(L, "replay");
   add_function<&TestBench::advance_to>(L, "advance_to");
   add_function<&TestBench::world_value>(L, "world_value");
+  add_function<&TestBench::print>(L, "print");
   lua_pushcfunction(L, [](lua_State* state) {
     return luaL_error(
         state, "require: a library runs only with a script that uses it (expected load_behavior or load_scenario)");
@@ -399,6 +401,23 @@ int TestBench::simulate(lua_State* L) {
   faults_.insert(faults_.end(), seen_.faults.begin(), seen_.faults.end());
   lua_pushboolean(L, outcome.is_correct ? 1 : 0);
   return 1;
+}
+
+/// As in behaviors: the values, separated by spaces.
+int TestBench::print(lua_State* L) {
+  if (printed_.size() >= kMostPrinted)
+    throw std::runtime_error("print: expected at most " + std::to_string(kMostPrinted) + " lines in a test");
+  std::string line;
+  const int count = lua_gettop(L);
+  for (int i = 1; i <= count; ++i) {
+    push_text(L, i);
+    line.append(i > 1 ? " " : "").append(lua_tostring(L, -1), lua_rawlen(L, -1));
+    lua_pop(L, 1);
+  }
+  constexpr std::int64_t kPriceOfALine = 100;
+  Sandbox::of(L).charge(kPriceOfALine + static_cast<std::int64_t>(line.size()));
+  printed_.push_back(shortened(std::move(line)));
+  return 0;
 }
 
 }  // namespace reorient

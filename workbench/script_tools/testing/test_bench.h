@@ -49,6 +49,8 @@ class TestBench {
   std::vector<TestFailure> finish();
   /// One line for each former name that the test uses.
   const std::set<std::string>& warnings() const { return warnings_; }
+  /// Lines that the test printed.
+  const std::vector<std::string>& printed() const { return printed_; }
   bool needs_simulator() const { return needs_simulator_; }
   /// The test was ended because of its budget; finish() lists that as a failure.
   bool exceeded_budget() const { return exceeded_budget_; }
@@ -61,6 +63,7 @@ class TestBench {
   int advance(lua_State* L);
   int reload(lua_State* L);
   int simulate(lua_State* L);
+  int print(lua_State* L);
   void set_param(std::string_view name, std::string_view value);
   void hear(std::int64_t sender, std::string_view text);
   // test_replay.cpp
@@ -143,6 +146,7 @@ class TestBench {
 
   std::vector<TestFailure> failures_;
   std::set<std::string> warnings_;
+  std::vector<std::string> printed_;
   std::vector<ScriptFault> faults_;      ///< not yet expected
   std::optional<ScriptFault> refused_;   ///< not yet expected
   SeenFrames seen_;                      ///< in the last advance(); transitions: in the whole test

@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/parameters/utf8.h"
 #include "engine/script/sandbox/sandbox.h"
 #include "workbench/files/input_file.h"
 #include "workbench/files/script_files.h"
+#include "workbench/script_tools/testing/behavior_words.h"
 
 namespace reorient {
 namespace {
@@ -37,6 +39,11 @@ class TestFile {
     lua_pushlightuserdata(L, this);
     lua_pushcclosure(L, &TestFile::declare, 1);
     lua_setglobal(L, "test");
+    lua_pushcfunction(L, [](lua_State* state) {
+      return luaL_error(state, "print: expected a call in a test, because the file runs again for each test");
+    });
+    lua_setglobal(L, "print");
+    refuse_words_of_behaviors(L);
     sandbox_.grant(instructions);
     fault_ = sandbox_.compile(text, name_);
     if (!fault_) fault_ = sandbox_.call(0, 0);
@@ -68,6 +75,7 @@ class TestFile {
     const std::optional<ScriptFault> fault = sandbox_.call(0, 0);
     if (bench.needs_simulator()) return {name_, name, {}, true};
     TestCase result{name_, name, bench.finish(), false, bench.warnings()};
+    result.printed = bench.printed();
     if (fault && !bench.exceeded_budget()) result.failures.push_back(as_failure(*fault));
     return result;
   }
@@ -182,6 +190,7 @@ std::string indented(const std::string& text, const std::string& margin) {
 void report(const TestCase& test, std::ostream& out) {
   const char* const result = test.skipped ? "skipped " : test.failures.empty() ? "ok      " : "FAILED  ";
   out << result << test.file << ": " << test.name << "\n";
+  for (const std::string& text : test.printed) out << "    printed: " << as_line(text) << "\n";
   for (const TestFailure& failure : test.failures) {
     out << "    " << place_text(failure.file, failure.line, 0) << ":\n" << indented(failure.text, "      ");
   }

@@ -19,11 +19,12 @@ namespace reorient {
 struct TestCase {
   std::string file;
   std::string name;
-  std::vector<TestFailure> failures;  ///< empty: it passed
-  bool skipped = false;               ///< it requires the simulator, which is not available
-  std::set<std::string> warnings{};   ///< of former names that it uses
-  bool has_run = true;                ///< false: its file cannot run, or the time of its file was over
-  double seconds = 0.0;               ///< in wall-clock time
+  std::vector<TestFailure> failures;   ///< empty: it passed
+  bool skipped = false;                ///< it requires the simulator, which is not available
+  std::set<std::string> warnings{};    ///< of former names that it uses
+  bool has_run = true;                 ///< false: its file cannot run, or the time of its file was over
+  double seconds = 0.0;                ///< in wall-clock time
+  std::vector<std::string> printed{};  ///< by the test; each may have several lines
 };
 
 struct TestSummary {
@@ -47,9 +48,9 @@ struct TestRun {
   std::int64_t instructions = 50'000'000;  ///< limit of Lua instructions for each test
 };
 
-/// Writes one line per test and each failure with file, line, expected and actual value. Fills `trace`
-/// with the covered states and transitions. Each test runs in a fresh sandbox, after its file has run again in it.
-/// Throws std::runtime_error with one line if a path does not exist or contains no tests.
+/// Writes one line per test, what it printed, and each failure with file, line, expected and actual value. Fills
+/// `trace` with the covered states and transitions. Each test runs in a fresh sandbox, after its file has run again in
+/// it. Throws std::runtime_error with one line if a path does not exist or contains no tests.
 TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrace& trace);
 
 /// Runs the tests of one file's text with these scripts; run.paths is not used. Calls `take` with each case as soon as
