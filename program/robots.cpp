@@ -49,23 +49,25 @@ RobotInstance make_simulator(const RobotOptions& options) {
 
 struct Maker {
   const char* name;
+  const char* description;
   RobotInstance (*make)(const RobotOptions&);
   std::vector<Parameter> (*parameters)(const RobotOptions&);
 };
 
 constexpr Maker kMakers[] = {
-    {kSimulator, make_simulator, [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
-    {kFootage,
+    {kSimulator, "The simulator.", make_simulator,
+     [](const RobotOptions& options) { return SimulatorTuning(options).registry.list(); }},
+    {kFootage, "Recorded images instead of a robot.",
      [](const RobotOptions&) -> RobotInstance {
        throw std::runtime_error("robot 'footage': expected no scenario, since footage is recorded");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
-    {kCompanion,
+    {kCompanion, "Another program that controls the robot.",
      [](const RobotOptions&) -> RobotInstance {
        throw std::runtime_error("robot 'companion': expected no scenario, since the program cannot move the robot");
      },
      [](const RobotOptions&) { return std::vector<Parameter>(); }},
-    {kNao,
+    {kNao, "This program runs on the NAO.",
      [](const RobotOptions&) -> RobotInstance {
        throw std::runtime_error("robot 'nao': expected no scenario, since the program cannot move it");
      },
@@ -100,6 +102,8 @@ std::vector<std::string> robot_names() {
   for (const Maker& maker : kMakers) names.emplace_back(maker.name);
   return names;
 }
+
+std::string robot_description(const std::string& name) { return maker_of(name).description; }
 
 std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options) { return simulator_of(options, true); }
 

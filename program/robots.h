@@ -42,6 +42,8 @@ struct RobotOptions {
 
 /// "simulator", "footage", "companion", "nao".
 std::vector<std::string> robot_names();
+/// One sentence about the robot. Throws std::runtime_error with one line for an unknown name.
+std::string robot_description(const std::string& name);
 inline constexpr const char* kSimulator = "simulator";
 /// Driven by recorded images; created from a source (program/footage/).
 inline constexpr const char* kFootage = "footage";

@@ -9,21 +9,6 @@
 namespace reorient {
 namespace {
 
-/// as_line() for each line, with the tabs and the spaces at the ends of lines.
-std::string as_text(std::string_view text) {
-  constexpr std::string_view kKept = "\n\t ";
-  std::string out;
-  while (!text.empty()) {
-    const std::size_t plain = std::min(text.find_first_of(kKept), text.size());
-    out += as_line(text.substr(0, plain));
-    text.remove_prefix(plain);
-    if (text.empty()) break;
-    out += text.front();
-    text.remove_prefix(1);
-  }
-  return out;
-}
-
 /// Number of bytes at the end that begin a letter but do not complete it: at most 3.
 std::size_t incomplete_letter(std::string_view text) {
   const auto byte = [&](std::size_t from_end) { return static_cast<unsigned char>(text[text.size() - from_end]); };

@@ -75,6 +75,26 @@ std::string as_line(std::string_view text) {
   return out;
 }
 
+std::string as_text(std::string_view text) {
+  constexpr std::string_view kKept = "\n\t ";
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t plain = std::min(text.find_first_of(kKept), text.size());
+    out += as_line(text.substr(0, plain));
+    text.remove_prefix(plain);
+    if (text.empty()) break;
+    out += text.front();
+    text.remove_prefix(1);
+  }
+  return out;
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
+}
+
 std::string written_out(std::string_view bytes) {
   constexpr char kDigits[] = "0123456789ABCDEF";
   std::string out;

@@ -16,6 +16,12 @@ std::string as_utf8(std::string_view text);
 /// are escaped.
 std::string as_line(std::string_view text);
 
+/// as_line() for each line: line ends, tabs and spaces stay.
+std::string as_text(std::string_view text);
+
+/// The text without the byte order mark with which editors on Windows begin a file.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// "\x1B" for each byte.
 std::string written_out(std::string_view bytes);
 

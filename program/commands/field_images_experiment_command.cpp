@@ -98,12 +98,7 @@ std::vector<LabeledImage> read_images(const std::vector<std::filesystem::path>& 
   std::vector<LabeledImage> images;
   for (const std::filesystem::path& file : files) {
     constexpr std::uintmax_t kLargest = std::uintmax_t{256} << 20;  // bytes
-    std::string bytes;
-    try {
-      bytes = read_input(file, "a readable image file", kLargest);
-    } catch (const std::runtime_error& reason) {
-      throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
-    }
+    const std::string bytes = read_named_input(file, "a readable image file", kLargest);
     const std::string digest = digest_of(bytes);
     const FieldLabels* const found = labels_of(labels, digest);
     if (found == nullptr) {

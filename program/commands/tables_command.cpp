@@ -20,13 +20,7 @@
 namespace reorient {
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-  try {
-    return read_input(file, "a text");
-  } catch (const std::runtime_error& reason) {
-    throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
-  }
-}
+std::string text_of(const std::filesystem::path& file) { return read_named_input(file, "a text"); }
 
 /// The results that a page names are relative to its folder.
 std::string filled(const std::filesystem::path& page, const std::string& text) {

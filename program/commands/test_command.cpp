@@ -21,6 +21,7 @@
 #include "program/named_files.h"
 #include "program/options.h"
 #include "program/program.h"
+#include "program/progress_line.h"
 #include "program/recording/test_replay.h"
 #include "program/run/simulation.h"
 #include "program/safe_output.h"
@@ -44,36 +45,23 @@ struct TestOptions {
   std::filesystem::path junit;
 };
 
-/// The test that runs, and how far its simulation is: a line that a terminal overwrites, otherwise a line for every ten
-/// seconds of a test.
+/// The test that runs, and how far its simulation is.
 class TestProgress : public Observer {
  public:
-  explicit TestProgress(std::ostream& err) : err_(err), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+  explicit TestProgress(std::ostream& err) : line_(err, std::chrono::milliseconds(300)) {}
 
   void begin(const std::string& file, const std::string& name) {
     test_ = file + ": " + name;
-    next_ = Clock::now() + (is_terminal_ ? kSoon : kPause);
+    line_.restart();
   }
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
-    if (Clock::now() < next_) return;
-    next_ = Clock::now() + (is_terminal_ ? kSoon : kPause);
-    if (is_terminal_) clear_terminal_line(err_);
-    err_ << fmt::format("{:.0f} s simulated  {}", frame.world.time, test_) << (is_terminal_ ? "" : "\n") << std::flush;
-    is_shown_ = is_terminal_;
+    if (line_.is_due()) line_.show(fmt::format("{:.0f} s simulated  {}", frame.world.time, test_));
   }
-  void clear() {
-    if (std::exchange(is_shown_, false)) clear_terminal_line(err_);
-  }
+  void clear() { line_.clear(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr auto kSoon = std::chrono::milliseconds(300), kPause = std::chrono::milliseconds(10'000);
-
-  std::ostream& err_;
-  bool is_terminal_;
-  bool is_shown_ = false;
+  ProgressLine line_;
   std::string test_;
-  Clock::time_point next_;
 };
 
 /// Records the states and transitions of a run.

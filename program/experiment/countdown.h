@@ -6,31 +6,26 @@
 #include <cstddef>
 #include <iosfwd>
 
+#include "program/progress_line.h"
+
 namespace reorient {
 
-/// Prints the progress and the remaining time: a line that a terminal overwrites, otherwise a line every ten seconds.
+/// Shows how many trials are complete, and the remaining time.
 class Countdown {
  public:
   Countdown(std::ostream& err, std::size_t tasks);
-  ~Countdown() { clear(); }
-  Countdown(const Countdown&) = delete;
-  Countdown& operator=(const Countdown&) = delete;
 
   void count();
   /// Call before another part of the program writes a line.
-  void clear();
+  void clear() { line_.clear(); }
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double kPause = 10.0;  // s
 
-  std::ostream& err_;
+  ProgressLine line_;
   std::size_t tasks_;
   std::size_t done_ = 0;
-  Clock::time_point start_;
-  double next_ = kPause;  ///< s since the start
-  bool is_terminal_;
-  bool is_shown_ = false;
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace reorient

@@ -105,11 +105,7 @@ class FileHashes {
     const auto known = hashes_.find(file);
     if (known != hashes_.end()) return known->second;
     constexpr std::uintmax_t kLargest = std::uintmax_t{256} << 20;  // bytes, as of a panorama
-    try {
-      return hashes_[file] = content_hash(read_input(file, "a file", kLargest));
-    } catch (const std::runtime_error& reason) {
-      throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
-    }
+    return hashes_[file] = content_hash(read_named_input(file, "a file", kLargest));
   }
 
  private:

@@ -149,12 +149,7 @@ std::optional<TrialResult> TaskResults::read(int task, const Origin& origin) con
   const std::filesystem::path file = file_of(task);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
-  std::string text;
-  try {
-    text = read_input(file, "the result of a trial");
-  } catch (const std::runtime_error& reason) {
-    throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
-  }
+  const std::string text = read_named_input(file, "the result of a trial");
   try {
     const ordered_json json = ordered_json::parse(text);
     if (json.at("checksum").get<std::string>() != checksum(json.at("result")))

@@ -63,10 +63,9 @@ constexpr std::array<CatalogKind, 9> kKinds{{
     {"behaviors", "reorient run --with NAME", [](const auto& scripts) { return scripts_in(scripts, "behaviors"); }},
     {"robots", "reorient run --robot NAME",
      [](const auto&) {
-       return std::vector<CatalogEntry>{{kSimulator, "The simulator."},
-                                        {kFootage, "Recorded images instead of a robot."},
-                                        {kCompanion, "Another program that controls the robot."},
-                                        {kNao, "This program runs on the NAO."}};
+       std::vector<CatalogEntry> entries;
+       for (const std::string& name : robot_names()) entries.push_back({name, robot_description(name)});
+       return entries;
      }},
     {"bodies", "reorient run --body NAME", [](const auto&) { return assets_in("robots", kToml); }},
     {"fields", "reorient run --field NAME", [](const auto&) { return assets_in("fields", kToml); }},
@@ -98,12 +97,11 @@ const CatalogKind* catalog_kind(const std::string& name) {
 }
 
 std::string first_sentence(const std::string& text) {
-  constexpr std::string_view kTitle = "title = \"", kMark = "\xEF\xBB\xBF";  // of editors on Windows
-  std::istringstream lines(text);
+  constexpr std::string_view kTitle = "title = \"";
+  std::istringstream lines{std::string(without_byte_order_mark(text))};
   std::string sentence;
   for (std::string line; std::getline(lines, line);) {
     if (line.ends_with('\r')) line.pop_back();
-    if (line.starts_with(kMark)) line.erase(0, kMark.size());
     if (line.starts_with(kTitle)) return as_line(line.substr(kTitle.size(), line.rfind('"') - kTitle.size()));
     const std::optional<std::string> comment = comment_of(line);
     if (comment && comment->starts_with("SPDX")) continue;

@@ -69,7 +69,7 @@ class FramesParser {
   FramesParser(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
 
   TableHeaders read_headers(const ColumnHeaders& headers) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // editors on Windows write it
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
     if (rest_.empty()) refuse("expected a line of column headers, found an empty file");
     separator_ = separator_of(rest_.substr(0, rest_.find('\n')));

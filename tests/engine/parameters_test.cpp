@@ -4,6 +4,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/parameter_registry.h"
+#include "engine/parameters/utf8.h"
 
 namespace reorient {
 namespace {
@@ -158,6 +159,17 @@ TEST(NearestName, PrefersSwappedLettersAndAcceptsAnAbbreviation) {
   EXPECT_EQ(nearest_name("flip", known), "flip_pose");
   EXPECT_EQ(nearest_name("fl", known), std::nullopt);
   EXPECT_EQ(nearest_name("purge", known), std::nullopt);
+}
+
+TEST(Utf8, TextKeepsItsLinesAndTabsOnly) {
+  EXPECT_EQ(as_text("a\tb \n\x1B[2J\r\n\xFF"), "a\tb \n\\x1B[2J\\x0D\n\\xFF");
+  EXPECT_EQ(as_text(""), "");
+}
+
+TEST(Utf8, AByteOrderMarkIsRemovedOnceAtTheBeginning) {
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF\xEF\xBB\xBFx"), "\xEF\xBB\xBFx");
+  EXPECT_EQ(without_byte_order_mark("x\xEF\xBB\xBF"), "x\xEF\xBB\xBF");
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB"), "\xEF\xBB");
 }
 
 TEST(EditDistance, ASwapOfAdjacentLettersCountsOnce) { EXPECT_EQ(edit_distance("wathcing", "watching"), 1); }

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "engine/parameters/utf8.h"
+
 namespace reorient {
 namespace {
 
@@ -77,6 +79,12 @@ std::string read_input(const std::filesystem::path& file, const std::string& wha
   if (!found) return bytes;
   const std::string limit = found->starts_with("a larger") ? " of at most " + size_text(most) : "";
   throw std::runtime_error("expected " + what + limit + ", found " + *found);
+}
+
+std::string read_named_input(const std::filesystem::path& file, const std::string& what, std::uintmax_t most) try {
+  return read_input(file, what, most);
+} catch (const std::runtime_error& reason) {
+  throw std::runtime_error(as_line(file.string() + ": " + reason.what()));
 }
 
 }  // namespace reorient

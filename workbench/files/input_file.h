@@ -17,4 +17,8 @@ inline constexpr std::uintmax_t kLargestText = std::uintmax_t{64} << 20;
 /// file, found a folder".
 std::string read_input(const std::filesystem::path& file, const std::string& what, std::uintmax_t most = kLargestText);
 
+/// The same. The message is one line that begins with the file's name.
+std::string read_named_input(const std::filesystem::path& file, const std::string& what,
+                             std::uintmax_t most = kLargestText);
+
 }  // namespace reorient

@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include "engine/parameters/utf8.h"
 #include "workbench/files/input_file.h"
 
 namespace reorient {
@@ -53,12 +54,10 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors write it
-
 /// The first byte beyond ASCII outside of quotes and comments, or after a backslash. TOML hardly permits any, and the
 /// parser's behavior is undefined for some (toml++ 3.3.0: U+00A1).
 std::optional<std::size_t> letter_beyond_ascii(std::string_view text) {
-  for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size();) {
+  for (std::size_t i = text.size() - without_byte_order_mark(text).size(); i < text.size();) {
     if (is_beyond_ascii(text[i])) return i;
     if (text[i] == '"' || text[i] == '\'') {
       i = end_of_string(text, i);
@@ -118,12 +117,12 @@ std::optional<toml::parse_error> mistake_in(std::string_view text) {
 /// and if that makes two names the same, by percent codes.
 std::optional<TomlExcess> mistake_beside_letters(std::string_view text) {
   std::string ascii(text);
-  const std::ptrdiff_t begin = text.starts_with(kByteOrderMark) ? std::ssize(kByteOrderMark) : 0;
-  std::replace_if(ascii.begin() + begin, ascii.end(), is_beyond_ascii, '?');
+  const std::string_view content = without_byte_order_mark(text);
+  std::replace_if(ascii.end() - std::ssize(content), ascii.end(), is_beyond_ascii, '?');
   if (ascii == text) return std::nullopt;
   std::optional<toml::parse_error> mistake = mistake_in(ascii);
   const bool may_be_two_names = mistake && mistake->description().find("redefine") != std::string_view::npos;
-  if (may_be_two_names) mistake = mistake_in(percent_encoded(text.substr(static_cast<std::size_t>(begin))));
+  if (may_be_two_names) mistake = mistake_in(percent_encoded(content));
   if (!mistake) return std::nullopt;
   const std::string why(mistake->description());
   return TomlExcess{static_cast<int>(mistake->source().begin.line), may_be_two_names ? percent_decoded(why) : why};

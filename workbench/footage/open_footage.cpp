@@ -38,9 +38,9 @@ void require_file(const fs::path& file, const std::string& what) {
 std::string read_file(const fs::path& file, const std::string& what) {
   require_file(file, what);
   try {
-    return read_input(file, what, kLargestFile);
+    return read_named_input(file, what, kLargestFile);
   } catch (const std::runtime_error& reason) {
-    throw BadFootage(file.string() + ": " + reason.what());
+    throw BadFootage(reason.what());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "engine/parameters/utf8.h"
 #include "engine/script/sandbox/safe_library.h"
 
 namespace reorient {
@@ -23,8 +24,6 @@ constexpr std::size_t kBytesWalkedPerInstruction = 256;  // slots of a table, wi
 constexpr std::size_t kLargestStack = 128 * 1024;        // bytes
 constexpr int kMostArguments = 250;
 constexpr int kDeepestCall = 200;
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // editors on Windows write it; Lua refuses it
 
 /// Pushes "file:line: " of the innermost Lua function, if any.
 void push_place(lua_State* L) {
@@ -202,7 +201,7 @@ std::optional<ScriptFault> Sandbox::call(int arguments, int results) {
 }
 
 std::optional<ScriptFault> Sandbox::compile(std::string_view text, const std::string& file) {
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);  // Lua refuses it
   const bool confined = std::exchange(confined_, true);
   const std::size_t largest_block = largest_block_;
   const int status = luaL_loadbufferx(lua_, text.data(), text.size(), ("@" + file).c_str(), "t");

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/parameters/utf8.h"
+
 namespace reorient {
 namespace {
 
@@ -169,9 +171,7 @@ class Tokenizer {
 }  // namespace
 
 std::vector<LuaToken> lua_tokens(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // as Sandbox::compile() accepts it
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  return Tokenizer(text).all();
+  return Tokenizer(without_byte_order_mark(text)).all();  // as Sandbox::compile()
 }
 
 }  // namespace reorient

@@ -147,12 +147,7 @@ std::vector<StoredRow> read_rows(const std::filesystem::path& file) {
   const auto refuse = [&file](const std::string& why) {
     throw std::runtime_error(as_line(file.string() + ": " + why));
   };
-  std::string text;
-  try {
-    text = read_input(file, "a file that 'experiment --json' wrote", kLargestRows);
-  } catch (const std::runtime_error& reason) {
-    refuse(reason.what());
-  }
+  const std::string text = read_named_input(file, "a file that 'experiment --json' wrote", kLargestRows);
   try {
     return rows_from(ordered_json::parse(text));
   } catch (const nlohmann::json::parse_error& mistake) {

@@ -49,6 +49,16 @@ TEST_F(InputFile, WithoutASizeIsReadUpToItsEnd) {
   EXPECT_EQ(complaint("/proc/self/status", 10), "expected a table of at most 1 KiB, found a larger one");
 }
 
+TEST_F(InputFile, IsNamedInOneLine) {
+  EXPECT_EQ(read_named_input(folder_.write("a", "x"), "a table"), "x");
+  try {
+    read_named_input(folder_.path() / "a\nb", "a table");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), (folder_.path() / "a b").string() + ": expected a table, found none");
+  }
+}
+
 TEST_F(InputFile, ThatCannotBeReadIsRefusedWithTheTrueReason) {
   EXPECT_EQ(complaint(folder_.path() / "gone"), "expected a table, found none");
   EXPECT_EQ(complaint(folder_.path()), "expected a table, found a folder");

@@ -171,14 +171,6 @@ std::vector<std::filesystem::path> find_tests(std::span<const std::filesystem::p
   return files;
 }
 
-std::string read(const std::filesystem::path& file) {
-  try {
-    return read_input(file, "a scripted test");
-  } catch (const std::runtime_error& reason) {
-    throw std::runtime_error(file.string() + ": " + reason.what());
-  }
-}
-
 /// The text with each line indented.
 std::string indented(const std::string& text, const std::string& margin) {
   std::istringstream lines(text);
@@ -210,7 +202,7 @@ TestSummary run_script_tests(const TestRun& run, std::ostream& out, CoverageTrac
   auto began = std::chrono::steady_clock::now();
   for (const std::filesystem::path& file : find_tests(run.paths.empty() ? all : std::span(run.paths))) {
     const std::string name = path_below(run.scripts_root, file).value_or(file.string());
-    run_test_text(name, read(file), run, texts, trace, [&](TestCase test) {
+    run_test_text(name, read_named_input(file, "a scripted test"), run, texts, trace, [&](TestCase test) {
       const auto ended = std::chrono::steady_clock::now();
       test.seconds = std::chrono::duration<double>(ended - std::exchange(began, ended)).count();
       if (run.end) run.end();
