@@ -6,7 +6,7 @@
 
 namespace reorient {
 
-/// In quotes if necessary.
+/// In quotes if necessary. One line, also for a word with line ends.
 std::string shell_word(const std::string& word);
 
 }  // namespace reorient

@@ -13,6 +13,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/utf8.h"
 #include "geometry/angle.h"
 #include "program/calibrate/footage_images.h"
 #include "program/program.h"
@@ -257,12 +258,12 @@ int calibrate_by_footage(const FootageCalibrationOptions& options, std::ostream&
                  : edge_picture(frames[which], (is_after ? corrected_edges : edges)[which], edges[which],
                                 corrected_edges[which]);
     pictures::write_png(file, pictures::draw_camera_view(picture));
-    out << "picture: " << file.string() << "\n";
+    out << "picture: " << as_line(file.string()) << "\n";
   }
   write_whole_file(options.out, to_toml({{found, CameraOffset()}, found_offset.recorded}));
   FootageArguments corrected_footage = options.footage;
   corrected_footage.camera_offset = options.out;
-  out << fmt::format("written: {}; reorient run --robot footage {}{}{}\n", options.out.string(),
+  out << fmt::format("written: {}; reorient run --robot footage {}{}{}\n", as_line(options.out.string()),
                      shell_word(options.source.string()), words_of(corrected_footage),
                      options.body.empty() ? "" : " --body " + shell_word(options.body.string()));
   return kSuccess;

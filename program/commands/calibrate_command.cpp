@@ -12,6 +12,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "program/calibrate/footage_calibration.h"
 #include "program/calibrate/look_about.h"
 #include "program/help.h"
@@ -24,6 +25,7 @@
 #include "program/run/places.h"
 #include "program/run/venue.h"
 #include "program/safe_output.h"
+#include "program/shell_word.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
@@ -122,13 +124,13 @@ int calibrate_cameras(const CalibrateOptions& options, std::ostream& out, std::o
     for (const auto& [name, offset] : {std::pair{"before", CameraOffset()}, {"after", found->offset}}) {
       const std::filesystem::path file = options.pictures / fmt::format("calibration_{}_{}.png", kCameras[i], name);
       draw_picture(shots[i], offset, *place, field, file);
-      out << "picture: " << file.string() << "\n";
+      out << "picture: " << as_line(file.string()) << "\n";
     }
   }
   if (!any) return kWrong;
   write_whole_file(options.out, to_toml(calibration));
-  out << "written: " << options.out.string() << "; reorient run --robot nao --calibration " << options.out.string()
-      << "\n";
+  out << "written: " << as_line(options.out.string()) << "; reorient run --robot nao --calibration "
+      << shell_word(options.out.string()) << "\n";
   return kSuccess;
 }
 

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
@@ -26,7 +27,7 @@ int check(const CheckOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
   const CheckResult result = check_scripts(root, options.paths);
   if (result.files == 0) throw std::runtime_error(root.string() + ": expected scripts, found none");
-  for (const Finding& finding : result.findings) out << finding.text() << "\n";
+  for (const Finding& finding : result.findings) out << as_line(finding.text()) << "\n";
   const int errors = result.count(Finding::Severity::error);
   const int warnings = result.count(Finding::Severity::warning);
   out << counted(result.files, "script") << " checked: " << counted(errors, "error") << ", "

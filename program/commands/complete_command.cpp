@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/parameters/utf8.h"
 #include "program/program.h"
 #include "program/shell/completion.h"
 #include "program/subcommand.h"
@@ -17,7 +18,7 @@ Subcommand add_complete(CLI::App& program) {
   return {parser, [parser, &program](std::ostream& out, std::ostream&) {
             const Completion completion = completion_of(program, parser->remaining());
             for (const Completion::Candidate& candidate : completion.candidates)
-              out << candidate.word << '\t' << candidate.text << '\n';
+              out << as_line(candidate.word) << '\t' << as_line(candidate.text) << '\n';
             if (completion.files) out << "\tfiles\n";
             if (completion.folders) out << "\tfolders\n";
             return kSuccess;

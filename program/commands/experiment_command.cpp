@@ -168,7 +168,7 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
   std::iota(wanted.begin(), wanted.end(), 1);
   if (!options.tasks.empty()) wanted = numbers_in(options.tasks, count);
   if (options.plan) {
-    for (const int task : wanted) out << task_command(options, session, task) << '\n';
+    for (const int task : wanted) out << as_line(task_command(options, session, task)) << '\n';
     return kSuccess;
   }
   const Interruption interruption;
@@ -185,12 +185,13 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
   if (!outcome.mistake.empty()) throw std::runtime_error(outcome.mistake + "; when it is fixed, --resume continues");
   if (Interruption::signal() != 0) {
     err << fmt::format("reorient: {} of {} results are in {}; --resume continues\n",
-                       wanted.size() - session.missing(wanted).size(), wanted.size(), session.folder().string());
+                       wanted.size() - session.missing(wanted).size(), wanted.size(),
+                       as_line(session.folder().string()));
     return exit_code_of(Interruption::signal());
   }
   if (outcome.crashed > 0) {
     err << fmt::format("reorient: {} of {} trials crashed; the others are in {}\n", outcome.crashed, wanted.size(),
-                       session.folder().string());
+                       as_line(session.folder().string()));
     return kWrong;
   }
   if (!options.tasks.empty()) return kSuccess;  // the rest is run elsewhere
@@ -203,7 +204,7 @@ int run_experiment(const ExperimentOptions& options, std::ostream& out, std::ost
   if (!options.report.empty()) {
     for (std::string& failure : write_report(report_of(options, session, std::move(cells)), options.report))
       failures.push_back(std::move(failure));
-    out << "\nreport: " << (options.report / "index.html").string() << "\n";
+    out << "\nreport: " << as_line((options.report / "index.html").string()) << "\n";
   }
   for (const std::string& failure : failures) print_error(err, failure);
   return failures.empty() ? kSuccess : kBadInput;

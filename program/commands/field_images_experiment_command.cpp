@@ -291,7 +291,7 @@ int run(const FieldImagesOptions& options, std::ostream& out) {
       "boards, marks and posts; elsewhere: on the plain carpet. border: fraction of the columns in which the carpet's "
       "boundary is at the boards.\n",
       100.0 * kGoodRecall);
-  for (const std::filesystem::path& sheet : sheets) out << "picture: " << sheet.string() << '\n';
+  for (const std::filesystem::path& sheet : sheets) out << "picture: " << as_line(sheet.string()) << '\n';
   return kSuccess;
 }
 

@@ -207,7 +207,7 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
   if (!mistake.empty()) throw std::runtime_error(mistake);
   if (Interruption::signal() != 0) {
     err << fmt::format("reorient: finished trials are in {}; the same command continues with the others\n",
-                       folder.string());
+                       as_line(folder.string()));
     return exit_code_of(Interruption::signal());
   }
   int task = 1;
@@ -220,7 +220,7 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
       cell.row = row_of(cell.trials);
     }
   }
-  out << '\n' << experiment.title << "\n\n";
+  out << '\n' << as_line(experiment.title) << "\n\n";
   print_rows(experiment, results.cells, out);
   const auto shown_by = [&](std::size_t footage, std::size_t start, const FootageCase& one) {
     return trial_command(options, options.sources[footage], results.footages[footage]->starts()[start], one);
@@ -236,7 +236,7 @@ int run(FootageExperimentOptions options, std::ostream& out, std::ostream& err) 
                     return shown_by(trial.footage, trial.start, trial.one);
                   }};
     for (std::string& failure : write_report(report, options.report)) failures.push_back(std::move(failure));
-    out << "\nreport: " << (options.report / "index.html").string() << "\n";
+    out << "\nreport: " << as_line((options.report / "index.html").string()) << "\n";
   }
   for (const std::string& failure : failures) print_error(err, failure);
   return failures.empty() ? kSuccess : kBadInput;

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 #include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
@@ -36,7 +37,7 @@ void print(const CatalogKind& kind, const std::filesystem::path& scripts, bool o
   std::size_t column = 0;
   for (const CatalogEntry& entry : entries) column = std::max(column, std::min(entry.name.size(), kWidestName) + 4);
   for (const CatalogEntry& entry : entries)
-    out << (only_names ? entry.name + "\n" : wrapped(entry.name, entry.text, column));
+    out << (only_names ? as_line(entry.name) + "\n" : wrapped(as_line(entry.name), as_line(entry.text), column));
 }
 
 int list(const ListOptions& options, std::ostream& out) {

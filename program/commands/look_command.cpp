@@ -144,7 +144,7 @@ int look_at_images(const LookOptions& options, std::ostream& out) {
   pictures.end();
   if (json) json->end();
   out << totals.in_words() << '\n';
-  for (const std::filesystem::path& file : pictures.written()) out << "picture: " << file.string() << '\n';
+  for (const std::filesystem::path& file : pictures.written()) out << "picture: " << as_line(file.string()) << '\n';
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());
   if (totals.images == 0) throw std::runtime_error(options.sources.front().string() + ": expected images, found none");
   return kSuccess;

@@ -99,7 +99,7 @@ int show_model(const ModelOptions& options, std::ostream& out) {
   view.title = as_line(options.file.filename().string());
   view.note = fmt::format("learned for {:.1f} s", model.learned);
   pictures::write_png(options.picture, pictures::draw_world_view(view));
-  out << "picture: " << options.picture.string() << "\n";
+  out << "picture: " << as_line(options.picture.string()) << "\n";
   return kSuccess;
 }
 

@@ -6,11 +6,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/parameters/utf8.h"
 #include "program/commands/script_templates.h"
 #include "program/help.h"
 #include "program/options.h"
 #include "program/program.h"
 #include "program/script_names.h"
+#include "program/shell_word.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 
@@ -46,12 +48,12 @@ int make(const NewOptions& options, std::ostream& out) {
     if (error)
       throw std::runtime_error("cannot create the folder " + file.parent_path().string() + ": " + error.message());
   }
-  const std::string where = options.scripts.empty() ? "" : " --scripts " + options.scripts.string();
+  const std::string where = options.scripts.empty() ? "" : " --scripts " + shell_word(options.scripts.string());
   write_whole_file(script, named(script_template(options.kind), options.name));
   write_whole_file(test, named(script_template(options.kind + "_test"), options.name));
-  out << script.string() << "\n"
-      << test.string() << "\nNext: reorient check" << where << ", then reorient test " << test.string() << where
-      << "\n";
+  out << as_line(script.string()) << "\n"
+      << as_line(test.string()) << "\nNext: reorient check" << where << ", then reorient test "
+      << shell_word(test.string()) << where << "\n";
   return kSuccess;
 }
 

@@ -9,6 +9,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 #include "program/help.h"
 #include "program/named_files.h"
 #include "program/options.h"
@@ -38,8 +39,9 @@ void list(const std::vector<Parameter>& parameters, std::ostream& out) {
     value_width = std::max(value_width, to_text(parameter.value).size());
   }
   for (const Parameter& parameter : parameters) {
-    out << fmt::format("{:<{}}  {:>{}}  {:<12}  {}: {}\n", parameter.name, name_width, to_text(parameter.value),
-                       value_width, to_string(parameter.origin), range_text(parameter), parameter.description);
+    out << fmt::format("{:<{}}  {:>{}}  {:<12}  {}\n", as_line(parameter.name), name_width,
+                       as_line(to_text(parameter.value)), value_width, to_string(parameter.origin),
+                       as_line(range_text(parameter) + ": " + parameter.description));
   }
 }
 

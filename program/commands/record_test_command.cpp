@@ -20,6 +20,7 @@
 #include "program/recording/damages.h"
 #include "program/recording/recorded_times.h"
 #include "program/script_names.h"
+#include "program/shell_word.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/recording.h"
@@ -110,9 +111,10 @@ end)
     std::filesystem::remove(part, error);  // so that another try with this name is possible
     throw;
   }
-  out << fmt::format("{}: {}, {:.1f} MB\n{}\nNext: reorient test {}{}\n", part.string(), counted(done.frames, "frame"),
-                     1e-6 * static_cast<double>(std::filesystem::file_size(part)), test.string(), test.string(),
-                     options.scripts.empty() ? "" : " --scripts " + options.scripts.string());
+  out << fmt::format("{}: {}, {:.1f} MB\n{}\nNext: reorient test {}{}\n", as_line(part.string()),
+                     counted(done.frames, "frame"), 1e-6 * static_cast<double>(std::filesystem::file_size(part)),
+                     as_line(test.string()), shell_word(test.string()),
+                     options.scripts.empty() ? "" : " --scripts " + shell_word(options.scripts.string()));
   if (!done.losses.any()) return kSuccess;
   err << "reorient: " << as_line(options.file.string()) << ": " << text_of(done.losses) << '\n';
   return kWrong;

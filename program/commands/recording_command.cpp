@@ -85,7 +85,7 @@ int info(const std::filesystem::path& file, std::ostream& out) {
                        1e-6 * static_cast<double>(tally.bytes));
   }
   if (!contents.is_complete) out << "its end is missing; 'reorient recording recover' repairs it\n";
-  for (const std::string& damage : recording.damages()) out << "damaged " << damage << '\n';
+  for (const std::string& damage : recording.damages()) out << "damaged " << as_line(damage) << '\n';
   const Recording::Losses losses = recording.losses();
   if (losses.any()) out << text_of(losses) << '\n';
   return recording.damages().empty() && !losses.any() ? kSuccess : kWrong;
@@ -173,7 +173,7 @@ int draw_pictures(const RecordingOptions& options, std::ostream& out, std::ostre
                              ": expected frames that can be replayed, found none; see 'reorient recording info'");
   const std::vector<std::string> failures = pictures.write(folder);
   for (const std::string& failure : failures) print_error(err, failure);
-  out << fmt::format("pictures of {:.2f} s: {}/\n", time, folder.string());
+  out << fmt::format("pictures of {:.2f} s: {}/\n", time, as_line(folder.string()));
   if (!failures.empty()) return kBadInput;
   return time + kReadingError < options.at ? kWrong : kSuccess;  // the frames up to this time are lost
 }

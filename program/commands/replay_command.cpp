@@ -15,6 +15,7 @@
 
 #include "engine/frame.h"
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "program/help.h"
 #include "program/interruption.h"
 #include "program/options.h"
@@ -72,7 +73,8 @@ class RequireTaken : public Observer {
 
 void print_difference(const char* what, const Difference& difference, std::ostream& out) {
   out << fmt::format("{} frame {} at {:.2f} s: {}\n  recorded: {}\n  replayed: {}\n", what, difference.frame,
-                     difference.time, difference.what, difference.recorded, difference.replayed);
+                     difference.time, as_line(difference.what), as_line(difference.recorded),
+                     as_line(difference.replayed));
 }
 
 /// The first decision in which the runs differ.
@@ -85,7 +87,8 @@ void print_first_decision(const ReplayComparison& comparison, std::ostream& out)
     out << "no decision of a behavior differs\n";
   } else {
     out << fmt::format("the first decision that differs is at {:.2f} s, {}:\n  {}\n", first->time,
-                       first->recorded ? "recorded, but not replayed" : "replayed, but not recorded", first->text);
+                       first->recorded ? "recorded, but not replayed" : "replayed, but not recorded",
+                       as_line(first->text));
   }
 }
 
@@ -97,7 +100,7 @@ void print_events(const ReplayComparison& comparison, bool all, std::ostream& ou
                        is_both          ? "both     "
                        : event.recorded ? "recorded "
                                         : "replayed ",
-                       event.text);
+                       as_line(event.text));
   }
 }
 

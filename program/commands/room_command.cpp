@@ -118,7 +118,7 @@ int rate_named_room(RoomOptions options, std::ostream& out) {
   if (!options.json.empty()) write_whole_file(options.json, rating_as_json(room, rating));
   if (!options.picture.empty()) {
     pictures::write_png(options.picture, pictures::draw_rating(rating_picture(room, rating, robot.field)));
-    out << "picture: " << options.picture.string() << '\n';
+    out << "picture: " << as_line(options.picture.string()) << '\n';
   }
   return rating.verdict == RoomVerdict::works ? kSuccess : kWrong;
 }

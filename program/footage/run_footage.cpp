@@ -19,6 +19,7 @@
 #include "program/interruption.h"
 #include "program/run/run_scenario.h"
 #include "program/run/simulation.h"
+#include "program/safe_output.h"
 #include "workbench/files/calibration_file.h"
 
 namespace reorient {
@@ -79,7 +80,8 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   FrameLoop engine(std::move(prepared.frame));
   // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
   const Interruption interruption;
-  err << "reorient: " << prepared.wall << "\nreorient: " << pose_line(setup, body, itself.frame()) << '\n';
+  print_error(err, prepared.wall);
+  print_error(err, pose_line(setup, body, itself.frame()));
   const auto failure = [&] {
     if (!itself.missed_change()) return itself.failure();
     return fmt::format("--belief-at {}: expected a moment of the footage, which lasts {:.1f} s",

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "program/robots.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/recording/mcap/contents.h"
@@ -157,7 +158,7 @@ void RunRecording::end(std::ostream& out) {
   if (!recorder_) return;
   recorder_->end();
   const Recorder::Counts counts = recorder_->counts();
-  out << fmt::format("recording: {}{}, {}, {:.1f} MB\n", file_.string(),
+  out << fmt::format("recording: {}{}, {}, {:.1f} MB\n", as_line(file_.string()),
                      counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "",
                      counted(counts.frames, "frame"), 1e-6 * static_cast<double>(counts.bytes));
   if (counts.views_left_out > 0)

@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include "engine/parameters/utf8.h"
 #include "program/interruption.h"
 #include "program/output_mailbox.h"
 #include "program/run/console/history_file.h"
@@ -94,9 +95,10 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
     for (std::string& failure : pictures.write(options.out)) failures.push_back(std::move(failure));
   }
   live.end_recording();
-  if (options.pictures) out << "\npictures: " << options.out.string() << "/\n";
-  if (!options.save_parameters.empty()) out << "parameters: " << options.save_parameters.string() << "\n";
-  if (live.model() != nullptr) out << "model: " << options.model.string() << " (" << live.model()->outcome() << ")\n";
+  if (options.pictures) out << "\npictures: " << as_line(options.out.string()) << "/\n";
+  if (!options.save_parameters.empty()) out << "parameters: " << as_line(options.save_parameters.string()) << "\n";
+  if (live.model() != nullptr)
+    out << "model: " << as_line(options.model.string()) << " (" << live.model()->outcome() << ")\n";
   print_summary(result, circumstances, out);
   for (const std::string& failure : failures) print_error(err, failure);
   return exit_code_of_runs(failures, result.succeeded || has_quit);

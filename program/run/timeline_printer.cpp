@@ -73,8 +73,8 @@ void TimelinePrinter::finish(const FrameRecord& /*last*/, const SceneTruth& /*sc
   if (repeated_.empty()) return;
   if (make_room_) make_room_();
   for (const auto& [machine, count] : repeated_) {
-    out_ << fmt::format("          {:<20}  {} repeated within {:.0f} s; --every-transition shows them\n", machine,
-                        counted(count, "event"), kRepeats);
+    out_ << fmt::format("          {:<20}  {} repeated within {:.0f} s; --every-transition shows them\n",
+                        as_line(machine), counted(count, "event"), kRepeats);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "engine/parameters/utf8.h"
 #include "engine/record/record_bytes.h"
 #include "geometry/bytes.h"
 #include "workbench/files/csv_text.h"
@@ -55,8 +56,11 @@ std::uint64_t write_events(Recording& recording, std::ostream& out) {
   out << kEventsHead << '\n';
   return each_record(recording, out, [&](const RecordedFrame& frame, const FrameRecord& record) {
     for (const TimelineEvent& event : timeline_events(record, frame.entry.scene)) {
-      out << exact_text(event.time) << ',' << csv_cell(event.machine) << ',' << csv_cell(event.state) << ','
-          << csv_cell(event.command) << ',' << csv_cell(event.verdict) << ',' << csv_cell(event.reason) << '\n';
+      out << exact_text(event.time);
+      for (const std::string* const text :
+           {&event.machine, &event.state, &event.command, &event.verdict, &event.reason})
+        out << ',' << csv_cell(as_line(*text));
+      out << '\n';
     }
   });
 }

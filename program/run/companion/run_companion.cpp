@@ -172,7 +172,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
                        .is_over = is_over,
                        .tell = tell,
                        .stores_commands = true});
-  err << "reorient: listening at " << socket.string() << "; waiting for a client\n" << std::flush;
+  err << "reorient: listening at " << as_line(socket.string()) << "; waiting for a client\n" << std::flush;
 
   bool fresh = options.fresh;
   std::vector<std::string> failures;

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
@@ -77,7 +78,7 @@ MachineCoverage coverage_of(const MachineDefinition& machine, const std::string&
     const bool is_entered = trace != nullptr && trace->states.contains(state.path);
     found.of(state.file, script).states.count(is_entered);
     if (!is_entered && state.file == script)
-      found.left_out += place(state, state.position) + ": never entered: " + state.path + "\n";
+      found.left_out += as_line(place(state, state.position) + ": never entered: " + state.path) + "\n";
   }
   for (const TransitionDefinition& transition : machine.transitions) {
     const StateDefinition& from = machine.states[transition.from];
@@ -85,9 +86,10 @@ MachineCoverage coverage_of(const MachineDefinition& machine, const std::string&
     const bool is_taken = trace != nullptr && trace->transitions.contains(transition.key);
     found.of(maker, script).transitions.count(is_taken);
     if (!is_taken && maker == script)
-      found.left_out += place(from, transition.position) +
-                        ": never taken: " + (from.path.empty() ? "any state" : from.path) + " > " +
-                        machine.states[transition.to].path + " (" + transition.because + ")\n";
+      found.left_out +=
+          as_line(place(from, transition.position) + ": never taken: " + (from.path.empty() ? "any state" : from.path) +
+                  " > " + machine.states[transition.to].path + " (" + transition.because + ")") +
+          "\n";
   }
   return found;
 }
@@ -102,14 +104,14 @@ class CoverageReport {
     ++count_;
     all_.add(found.own);
     if (trace == nullptr) {
-      not_run_ += machine.name + ": no test loaded it\n";
+      not_run_ += as_line(machine.name) + ": no test loaded it\n";
       return;
     }
     ++run_count_;
     run_.add(found.own);
-    out_ << machine.name << ": " << text(found.own) << "\n" << found.left_out;
+    out_ << as_line(machine.name) << ": " << text(found.own) << "\n" << found.left_out;
     for (const auto& [file, shares] : found.by_file) {
-      out_ << "  from " << file << ": " << text(shares) << "\n";
+      out_ << "  from " << as_line(file) << ": " << text(shares) << "\n";
       from_libraries_.add(shares);
     }
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/script/sandbox/binding.h"
 #include "engine/script/sandbox/safe_library.h"
@@ -147,7 +148,7 @@ TestFailure TestBench::failure_here(const std::string& text) const {
 void TestBench::fail(const std::string& text) { failures_.push_back(failure_here(text)); }
 
 void TestBench::fail(const std::string& expected, const std::string& actual) {
-  fail("expected " + expected + "\n  actual " + actual);
+  fail("expected " + as_line(expected) + "\n  actual " + as_line(actual));
 }
 
 /// Ends the test if it has exceeded its limits. The `pcall` of a script cannot catch that.
@@ -175,9 +176,10 @@ std::vector<TestFailure> TestBench::finish() {
   }
   for (const ScriptFault& fault : faults_) {
     if (failures_.size() > kMostFailures) break;
-    failures_.push_back({fault.file, fault.line, shortened(fault.message + "\n" + fault.traceback)});
+    failures_.push_back({fault.file, fault.line, shortened(as_line(fault.message) + "\n" + fault.traceback)});
   }
-  if (refused_) failures_.push_back({refused_->file, refused_->line, shortened("refused: " + refused_->message)});
+  if (refused_)
+    failures_.push_back({refused_->file, refused_->line, shortened(as_line("refused: " + refused_->message))});
   return failures_;
 }
 

@@ -61,7 +61,8 @@ class TestFile {
   }
 
   TestFailure as_failure(const ScriptFault& fault) const {
-    return {fault.file.empty() ? name_ : fault.file, fault.line, shortened(fault.message + "\n" + fault.traceback)};
+    return {fault.file.empty() ? name_ : fault.file, fault.line,
+            shortened(as_line(fault.message) + "\n" + fault.traceback)};
   }
 
   TestCase run(std::size_t which, const TestRun& run, const ScriptTexts& texts, TestBudget& file,
@@ -181,10 +182,10 @@ std::string indented(const std::string& text, const std::string& margin) {
 
 void report(const TestCase& test, std::ostream& out) {
   const char* const result = test.skipped ? "skipped " : test.failures.empty() ? "ok      " : "FAILED  ";
-  out << result << test.file << ": " << test.name << "\n";
+  out << result << as_line(test.file + ": " + test.name) << "\n";
   for (const std::string& text : test.printed) out << "    printed: " << as_line(text) << "\n";
   for (const TestFailure& failure : test.failures) {
-    out << "    " << place_text(failure.file, failure.line, 0) << ":\n" << indented(failure.text, "      ");
+    out << "    " << as_line(place_text(failure.file, failure.line, 0)) << ":\n" << indented(failure.text, "      ");
   }
 }
 

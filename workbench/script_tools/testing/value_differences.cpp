@@ -2,8 +2,11 @@
 #include "workbench/script_tools/testing/value_differences.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "engine/parameters/utf8.h"
 #include "engine/script/sandbox/safe_library.h"
 #include "engine/script/sandbox/sandbox.h"
 
@@ -13,8 +16,15 @@ namespace {
 constexpr int kDeepest = 20;
 constexpr std::size_t kMostLines = 10;
 
+/// On one line, as in a script: different texts stay different.
+std::string quoted_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char letter : text) out += letter == '\n' ? "\\n" : letter == '\t' ? "\\t" : std::string(1, letter);
+  return as_line(out + "\"");
+}
+
 std::string text_of(lua_State* L, int index) {
-  if (lua_type(L, index) == LUA_TSTRING) return "\"" + std::string(lua_tostring(L, index)) + "\"";
+  if (lua_type(L, index) == LUA_TSTRING) return quoted_text({lua_tostring(L, index), lua_rawlen(L, index)});
   push_text(L, index);
   std::string text = lua_tostring(L, -1);
   lua_pop(L, 1);
@@ -23,7 +33,7 @@ std::string text_of(lua_State* L, int index) {
 
 /// "[1]" or ".name".
 std::string step(lua_State* L, int key) {
-  if (lua_type(L, key) == LUA_TSTRING) return "." + std::string(lua_tostring(L, key));
+  if (lua_type(L, key) == LUA_TSTRING) return "." + as_line(lua_tostring(L, key));
   return "[" + text_of(L, key) + "]";
 }
 
