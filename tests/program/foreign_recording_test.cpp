@@ -15,6 +15,7 @@
 #include "tests/temporary_folder.h"
 #include "tests/workbench/recording/raw_mcap.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/recording/frame_entry.h"
 #include "workbench/recording/recording.h"
 
@@ -120,6 +121,59 @@ TEST_F(ForeignRecording, OfAnyShapeIsReadLikeTheOriginal) {
   for (const ForeignShape& shape : all) {
     SCOPED_TRACE(shape.name());
     expect_same_as_original(write(original().raw, shape));
+  }
+}
+
+/// A short recording of a robot that knows its room, the test that is made of it, and the rating of the room.
+class ForeignRecordingOfAKnownRoom : public ForeignRecording {
+ protected:
+  ForeignRecordingOfAKnownRoom() : scripts_(copy_scripts(folder_.path())) {
+    const std::string model = file("room.model"), recording = file("foreign.mcap");
+    run_reorient({"run", "trial", "--set", "trial.event=none", "--set", "trial.learn=30", "--seconds", "12", "--width",
+                  "160", "--no-pictures", "--log", "off", "--model", model});
+    run_reorient({"run", "--seconds", "0.4", "--width", "160", "--no-pictures", "--log", "off", "--model", model,
+                  "--record", recording});
+    raw_ = raw_recording(recording);
+    test_ = recorded_test(recording);
+    rating_ = rating(recording);
+  }
+
+  /// The text of the test that `record-test` writes, and the digest of its recording.
+  std::string recorded_test(const std::string& recording) const {
+    const ProgramRun made =
+        run_reorient({"record-test", recording, "--from", "0.1", "--name", "made", "--scripts", scripts_.string()});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.err, "");
+    const std::filesystem::path test = scripts_ / "tests/made_test.lua";
+    const std::filesystem::path part = scripts_ / "tests/recordings/made.mcap";
+    const ProgramRun replayed = run_reorient({"replay", part.string()});
+    EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+    std::string text = made.out + read_input(test, "a test") + digest_of(replayed);
+    std::filesystem::remove(test);
+    std::filesystem::remove(part);
+    // The size of the part depends on what else the recording contains.
+    const std::size_t size = text.find(" frames, "), end = text.find(" MB", size);
+    return text.erase(size, end - size);
+  }
+  static std::string rating(const std::string& recording) {
+    const ProgramRun rated = run_reorient({"room", "rate", recording, "--trials", "4", "--banner", "0"});
+    EXPECT_EQ(rated.err, "");
+    return rated.out;
+  }
+
+  std::filesystem::path scripts_;
+  RawRecording raw_;
+  std::string test_, rating_;
+};
+
+TEST_F(ForeignRecordingOfAKnownRoom, OfAnyShapeMakesTheSameTestAndRating) {
+  EXPECT_NE(test_.find("test(\"made continues as recorded\""), std::string::npos) << test_;
+  EXPECT_NE(rating_.find("verdict: works\n"), std::string::npos) << rating_;
+  for (const ForeignShape& shape : all_foreign_shapes()) {
+    SCOPED_TRACE(shape.name());
+    const std::string foreign = write(raw_, shape);
+    EXPECT_EQ(recorded_test(foreign), test_);
+    EXPECT_EQ(rating(foreign), rating_);
   }
 }
 
