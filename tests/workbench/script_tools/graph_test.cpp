@@ -115,6 +115,15 @@ TEST_F(GraphTest, EscapesWhatMermaidAndGraphvizWouldRead) {
       << "a node of its own, because node sets defaults";
 }
 
+/// Mermaid reads a line with these words as a direction of the diagram, also within a label.
+TEST_F(GraphTest, KeepsALabelAboutADirection) {
+  load("turning", R"(behavior "turning" { initial = "a", state "a" { { "b", after = 1, because = "Direction LR" } },
+  state "b" { { "a", after = 1, because = "the direction  TB" } } })");
+  const std::string text = to_mermaid({host().definitions().front(), 1});
+  EXPECT_NE(text.find("turning_a --> turning_b : Direction#32;LR [after 1 s]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("turning_b --> turning_a : the direction#32; TB [after 1 s]\n"), std::string::npos) << text;
+}
+
 class GraphOfSeveral : public ScriptTest {
  protected:
   /// A machine that publishes a flag, and one that reads it: through a local function, a library, and directly.

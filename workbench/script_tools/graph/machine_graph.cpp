@@ -20,6 +20,15 @@ std::string with(std::string text, char from, const std::string& to) {
   return text;
 }
 
+/// Whether the text ends with the word that, before a blank and LR or TB, makes Mermaid read a whole line as the
+/// direction of the diagram, wherever it is in the line.
+bool ends_with_direction(std::string_view text) {
+  constexpr std::string_view kWord = "direction";
+  return text.size() >= kWord.size() &&
+         std::equal(kWord.rbegin(), kWord.rend(), text.rbegin(),
+                    [](char a, unsigned char b) { return a == static_cast<char>(std::tolower(b)); });
+}
+
 /// The text as Mermaid shows it: all characters that may have a meaning in its grammar, in its directives, in Markdown
 /// or in HTML are entity codes.
 std::string mermaid_text(const std::string& text) {
@@ -27,7 +36,8 @@ std::string mermaid_text(const std::string& text) {
   std::string out;
   for (const char letter : as_line(text)) {
     const auto code = static_cast<unsigned char>(letter);
-    if (code >= 0x80 || std::isalnum(code) != 0 || kPlain.find(letter) != std::string_view::npos) {
+    const bool is_plain = code >= 0x80 || std::isalnum(code) != 0 || kPlain.find(letter) != std::string_view::npos;
+    if (is_plain && !(letter == ' ' && ends_with_direction(out))) {
       out += letter;
     } else {
       out += "#" + std::to_string(code) + ";";
