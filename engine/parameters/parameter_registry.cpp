@@ -113,8 +113,12 @@ bool ParameterRegistry::set(std::string_view name, std::string_view text, Parame
 
 ParameterOutcome ParameterRegistry::change(const ParameterChange& change) {
   ParameterOutcome outcome{change.name, {}, {}};
+  const auto found = entries_.find(change.name);
   try {
-    if (!set(change.name, change.value, change.origin))
+    if (change.origin == ParameterOrigin::default_value && found != entries_.end()) {
+      overrides_.erase(change.name);
+      assign(found->second, found->second.parameter.default_value, ParameterOrigin::default_value);
+    } else if (!set(change.name, change.value, change.origin))
       outcome.refusal = "parameter " + change.name + " is unchanged: a change from '" +
                         std::string(to_string(change.origin)) + "' does not replace one from '" +
                         std::string(to_string(find(change.name)->origin)) + "'";

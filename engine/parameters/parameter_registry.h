@@ -36,7 +36,8 @@ class ParameterRegistry {
   /// with one line if the name is unknown, or the text is of a wrong type or out of range.
   bool set(std::string_view name, std::string_view text, ParameterOrigin origin);
 
-  /// As set(), but returns the result instead of throwing.
+  /// As set(), but returns the result instead of throwing. The origin default_value removes what was set, whatever its
+  /// origin, so that the parameter has its default again, also if that changes later.
   ParameterOutcome change(const ParameterChange& change);
 
   /// As set(), but stores the value of an undeclared name until it is declared. The message begins with the source.

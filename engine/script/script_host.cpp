@@ -61,12 +61,8 @@ void ScriptHost::load(const std::string& name) {
   }
   std::unique_ptr<Script> script = compile(*slot, slot->read);
   for (const ParameterDeclaration& declaration : script->parameters()) {
-    // At the start an invalid setting is an error; at a reload it is clamped.
-    try {
-      parameters_.check_override(declaration);
-    } catch (const std::runtime_error& error) {
-      throw ScriptError({slot->file, 0, error.what(), {}});
-    }
+    // At the start an invalid setting is an error, which is not at a place of the script; at a reload it is clamped.
+    parameters_.check_override(declaration);
   }
   swap_in(*slot, script);
   slots_.push_back(std::move(slot));

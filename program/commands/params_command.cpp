@@ -55,6 +55,12 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
   return {names.begin(), names.end()};
 }
 
+/// A text that ends with a dot is a group, such as "camera." of "robot.camera.pitch". Else any part of the name counts.
+bool is_listed(const std::string& name, const std::string& filter) {
+  return filter.ends_with('.') ? ("." + name).find("." + filter) != std::string::npos
+                               : name.find(filter) != std::string::npos;
+}
+
 int params(const ParamsOptions& options, std::ostream& out) {
   const std::filesystem::path root = scripts_root(options.scripts);
   require_writable_output(options.save, "--save-params", root);
@@ -68,7 +74,7 @@ int params(const ParamsOptions& options, std::ostream& out) {
   const std::vector<ParameterChange> kept = kept_for_others(overrides, {all, loaded, all_modules(texts)});
   std::vector<Parameter> wanted = all;
   std::erase_if(wanted, [&](const Parameter& parameter) {
-    return parameter.name.find(options.filter) == std::string::npos ||
+    return !is_listed(parameter.name, options.filter) ||
            (options.changed && parameter.origin == ParameterOrigin::default_value);
   });
   if (wanted.empty() && !options.changed)
@@ -86,9 +92,11 @@ Subcommand add_params(CLI::App& program) {
   CLI::App* const parser =
       program.add_subcommand("params", "list all parameters with value, origin, range and meaning")->fallthrough();
   set_examples(*parser, {{"reorient params", "all parameters"},
-                         {"reorient params orientation.", "those whose name contains a text"},
+                         {"reorient params orientation.", "those of a group"},
                          {"reorient params --params paper --changed", "what a file of parameters changes"}});
-  parser->add_option("filter", options->filter, "list only names that contain this text, as in: orientation.")
+  parser
+      ->add_option("filter", options->filter,
+                   "list only names that contain this text; with a dot at its end, a group, as in: orientation.")
       ->type_name("FILTER");
   parser->add_flag("--changed", options->changed, "list only parameters that differ from their defaults")
       ->group(kOutputGroup);

@@ -117,6 +117,21 @@ TEST_F(Parameters, AChangeReturnsItsResult) {
   EXPECT_NE(unknown.refusal.find("did you mean 'view.noise'"), std::string::npos);
 }
 
+TEST_F(Parameters, AChangeToTheDefaultFollowsALaterDefault) {
+  const auto declared = [&](double value) {
+    registry.declare_for("a.lua", {{"a.x", ParameterKind::real, value, 0.0, 1.0, "", "x", {}}});
+  };
+  declared(0.5);
+  EXPECT_EQ(registry.change({"a.x", "0.75", ParameterOrigin::live, ""}).value, "0.75");
+  declared(0.25);
+  EXPECT_EQ(registry.change({"a.x", "", ParameterOrigin::default_value, ""}).value, "0.25");
+  EXPECT_EQ(registry.find("a.x")->origin, ParameterOrigin::default_value);
+  EXPECT_TRUE(registry.overrides().empty());
+  declared(0.125);
+  EXPECT_EQ(std::get<double>(registry.value("a.x")), 0.125);
+  EXPECT_NE(registry.change({"a.y", "", ParameterOrigin::default_value, ""}).refusal, "");
+}
+
 TEST_F(Parameters, ARefusalContainsThePositionOfTheValue) {
   try {
     registry.set_early({"view.noise", "25", ParameterOrigin::file, "team.toml:3"});

@@ -204,6 +204,14 @@ TEST_F(CommandsTest, ParamsAcceptsPresetsByName) {
   EXPECT_EQ(run({"params", "--params", "papre"}).code, kBadInput);
 }
 
+TEST_F(CommandsTest, ParamsListsAGroupByItsNameWithADot) {
+  const std::string group = run({"params", "orientation."}).out, part = run({"params", "orientation"}).out;
+  EXPECT_TRUE(group.starts_with("orientation.")) << group;
+  EXPECT_EQ(group.find("paper_orientation."), std::string::npos) << group;
+  EXPECT_NE(part.find("paper_orientation."), std::string::npos) << part;
+  EXPECT_NE(run({"params", "field_features."}).out.find("field_features."), std::string::npos);
+}
+
 TEST_F(CommandsTest, ParamsRefusesUnknownNamesAndValuesOutOfRange) {
   EXPECT_EQ(run({"params", "no_such_part"}).code, kBadInput);
   EXPECT_NE(run({"params", "orientaton."})

@@ -44,6 +44,15 @@ TEST_P(InvalidExperimentTest, IsRefusedInOneLineAndLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
+using InvalidParameters = ShortExperiment;
+
+TEST_F(InvalidParameters, AreReportedAtTheLineThatSetsThem) {
+  folder.write("short.toml", with_line("parameters.orientation.lingering = 7"));
+  const ProgramRun refused = run({"--out", path("out")});
+  EXPECT_TRUE(refused.err.starts_with("reorient: " + path("short.toml") + ":17: parameter orientation.lingering: "))
+      << refused.err;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Files, InvalidExperimentTest,
     ::testing::Values(
@@ -94,8 +103,10 @@ INSTANTIATE_TEST_SUITE_P(
                           with_line("parameters.mirrored_placement.lern = 40.0"),
                           {"--plan"},
                           "short.toml:17: unknown parameter 'mirrored_placement.lern'"},
-        InvalidExperiment{
-            "AParameterOutOfItsRange", with_line("parameters.orientation.lingering = 7"), {}, "short.toml:17: "},
+        InvalidExperiment{"AParameterOutOfItsRange",
+                          with_line("parameters.orientation.lingering = 7"),
+                          {},
+                          "short.toml:17: parameter orientation.lingering: invalid value '7'"},
         InvalidExperiment{
             "NoSuchState",
             with_line("measured_from = \"laerning\""),

@@ -264,6 +264,7 @@ TEST_F(LiveConsoleTest, UndoesChangesOneByOne) {
   EXPECT_EQ(std::get<double>(scenario->parameters().value("scene.pace")), 1.0);
   EXPECT_EQ(answer("undo"), "  tested.level = 0.5\n");
   EXPECT_EQ(level(), 0.5);
+  EXPECT_EQ(answer("diff"), "  all parameters have their defaults\n") << "none is set any more";
   EXPECT_EQ(answer("undo"), "  no change to undo\n");
 }
 
@@ -303,6 +304,10 @@ TEST_F(LiveConsoleTest, PrintsAWatchedValueWhenItChanges) {
   EXPECT_EQ(polls(30), "  1.60 s  robot.head_yaw = 0.500 rad\n");
   EXPECT_EQ(answer("watch").substr(8), "  robot.head_yaw = 0.500 rad\n");
   EXPECT_EQ(answer("unwatch robot.posture"), "  unknown watched value 'robot.posture'\n");
+  answer("watch robot.posture");
+  answer("watch robot.head_pitch");
+  EXPECT_EQ(answer("unwatch robot.posture"), "  2 values still watched\n");
+  EXPECT_EQ(answer("unwatch robot.head_yaw"), "  1 value still watched\n");
   EXPECT_EQ(answer("unwatch"), "  no values watched\n");
   loop.inputs.observation.body.head.yaw = 0.0;
   EXPECT_EQ(polls(60), "");

@@ -45,10 +45,14 @@ ParameterCommands::ParameterCommands(ScenarioHost* scenario, std::function<std::
     : scenario_(scenario), parameters_(std::move(parameters)), kept_parameters_(std::move(kept_parameters)) {}
 
 Reply ParameterCommands::set(const std::string& name, const std::string& value, FrameInputs& inputs) {
-  const std::string before = to_text(named(parameters_(), name).value);
-  return change({name, value}, inputs, [this, name, before] {
+  const std::vector<Parameter> all = parameters_();
+  const Parameter& parameter = named(all, name);
+  // A default is not a value that was set: undo returns to what is the default then, which an edit may have changed.
+  const bool is_default = parameter.origin == ParameterOrigin::default_value;
+  const Change before{name, to_text(parameter.value), is_default ? parameter.origin : ParameterOrigin::live};
+  return change({name, value}, inputs, [this, before] {
     if (before_.size() == kMostChanges) before_.erase(before_.begin());
-    before_.push_back({name, before});
+    before_.push_back(before);
   });
 }
 
@@ -61,7 +65,7 @@ Reply ParameterCommands::undo(FrameInputs& inputs) {
 
 /// A library's parameter may belong to behaviors and to the scenario: both are changed.
 Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::function<void()> done) {
-  const ParameterChange change{wanted.name, wanted.value, ParameterOrigin::live, ""};
+  const ParameterChange change{wanted.name, wanted.value, wanted.origin, ""};
   std::optional<ParameterOutcome> known;
   if (scenario_ != nullptr) known = scenario_->change(change);
   inputs.parameter_changes.push_back(change);

@@ -32,6 +32,7 @@ class ParameterCommands {
   struct Change {
     std::string name;
     std::string value;
+    ParameterOrigin origin = ParameterOrigin::live;
   };
 
   /// `done` is called if the change was accepted.

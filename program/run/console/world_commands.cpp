@@ -7,6 +7,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/parameters/counted.h"
 #include "engine/script/language/world_fields.h"
 #include "program/run/console/name_pattern.h"
 
@@ -85,7 +86,7 @@ Reply WorldCommands::unwatch(const std::string& pattern) {
       std::erase_if(watched_, [&](const Watched& one) { return names_[one.field] == watched[i]; });
   }
   return at_once(
-      fmt::format("  {} watched\n", watched_.empty() ? "no values" : fmt::format("still {}", watched_.size())));
+      fmt::format("  {} watched\n", watched_.empty() ? "no values" : counted(watched_.size(), "value") + " still"));
 }
 
 std::string WorldCommands::changes(const World& world) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The page and the table of trials, from artificial results.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -222,6 +224,14 @@ TEST(TrialsCsv, HasALineForEachTrial) {
   EXPECT_TRUE(csv.starts_with("halls,mode,task,seed,started,disturbed,failed,measured_s,right_after_s,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 3);
   EXPECT_TRUE(has(csv, "\r\nhalls1,halls,4,1,true,true,false,70,"));
+}
+
+TEST(TrialsCsv, WritesWhatIsNotANumberWithoutASign) {
+  Report report = report_with("halls", 1);
+  for (const double sign : {1.0, -1.0}) {
+    report.cells.front().trials.front().seconds = std::copysign(std::numeric_limits<double>::quiet_NaN(), sign);
+    EXPECT_TRUE(has(trials_as_csv(report), ",nan,")) << trials_as_csv(report);
+  }
 }
 
 TEST(TrialsCsv, QuotesTexts) {

@@ -57,6 +57,18 @@ return way
   EXPECT_EQ(walk_to.doc.results[1].description, "m, to the target");
 }
 
+TEST(LibraryDocs, TakeTheFirstDocCommentAsTheDescription) {
+  const auto description = [](const std::string& text) { return library_module("lib.way", text).description; };
+  EXPECT_EQ(description("-- SPDX-License-Identifier: MIT\n\n--- Ways.\n--- Over the field.\nlocal way = {}\n"),
+            "Ways. Over the field.");
+  EXPECT_EQ(description("--[[ A plain\ncomment. ]]\n--- Ways.\nlocal way = {}\n"), "Ways.");
+  EXPECT_EQ(description("\xEF\xBB\xBF--- Ways.\nlocal way = {}\n"), "Ways.");
+  EXPECT_EQ(description("-- plain\nlocal way = {}\n--- Of a function.\nfunction way.go() end\nreturn way\n"), "");
+  EXPECT_EQ(description("-- plain\n--- Of a function.\nlocal function go() end\nreturn { go = go }\n"), "");
+  EXPECT_EQ(description("--- Only this."), "Only this.");
+  EXPECT_EQ(description(""), "");
+}
+
 TEST(LibraryDocs, AcceptTypesWithBlanks) {
   EXPECT_EQ(doc({"---@param f fun(x: number, y: number): boolean asks"}).parameters[0].type,
             "fun(x: number, y: number): boolean");

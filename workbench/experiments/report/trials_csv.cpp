@@ -3,8 +3,10 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "engine/parameters/utf8.h"
 #include "workbench/experiments/report/trial_columns.h"
@@ -18,6 +20,9 @@ std::string text_of(bool yes) { return yes ? "true" : "false"; }
 /// The shortest text that reads as the same number.
 template <typename Number>
 std::string text_of(Number value) {
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (std::isnan(value)) return "nan";  // not "-nan": the sign of 0/0 depends on the processor
+  }
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }

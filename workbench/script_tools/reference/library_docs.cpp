@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/parameters/utf8.h"
 #include "engine/script/source/lua_tokens.h"
 
 namespace reorient {
@@ -31,7 +32,8 @@ int last_line(const LuaToken& token) {
 
 class LibraryReader {
  public:
-  explicit LibraryReader(std::string_view text) : lines_(lines_of(text)), tokens_(lua_tokens(text)) {}
+  explicit LibraryReader(std::string_view text)
+      : lines_(lines_of(without_byte_order_mark(text))), tokens_(lua_tokens(text)) {}
 
   LibraryModule read() {
     for (std::size_t i = 0; at(i).kind != Kind::end; ++i) {
@@ -145,13 +147,10 @@ class LibraryReader {
     return doc_comment(lines);
   }
 
-  /// The first comment of the file, unless it belongs to a member.
+  /// The first doc comment of the file, unless it belongs to a member. Only comments can be before the first token.
   std::string description() const {
-    const auto is_blank = [](std::string_view text) {
-      return text.find_first_not_of(" \t\r") == std::string_view::npos;
-    };
-    auto first = lines_.begin();
-    while (first != lines_.end() && (is_blank(*first) || (first == lines_.begin() && first->starts_with('#')))) ++first;
+    const auto first_token = lines_.begin() + std::min(std::ssize(lines_), std::ptrdiff_t{at(0).position.line - 1});
+    const auto first = std::find_if(lines_.begin(), first_token, is_doc_line);
     if (first_lines_.contains(static_cast<int>(first - lines_.begin()) + 1)) return {};
     return doc_comment({first, std::find_if_not(first, lines_.end(), is_doc_line)}).description;
   }
