@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// build.mjs [FOLDER]: makes live.html, live.js and live.css from source/ into FOLDER (default: built/ beside this
+// file). The result depends only on the sources and on package-lock.json. NODE_FOLDER: the folder that contains
+// node_modules, if it is not beside this file.
+import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const packages = resolve(process.env.NODE_FOLDER ?? here, "node_modules");
+const out = resolve(process.argv[2] ?? join(here, "built"));
+const esbuild = createRequire(join(packages, "packages.js"))("esbuild");
+
+/// Name, version and license text of a library whose code is in the result.
+function notice(name) {
+  const { version, homepage } = JSON.parse(readFileSync(join(packages, name, "package.json"), "utf8"));
+  const license = readFileSync(join(packages, name, "LICENSE"), "utf8").trim();
+  return `${name} ${version}${homepage ? `, ${homepage}` : ""}\n\n${license}`;
+}
+
+const banner = `/*! The page of Reorient's live view. SPDX-License-Identifier: MIT
+Made by workbench/views/live/page/build.mjs; do not edit. It contains:
+
+${["preact", "uplot"].map(notice).join("\n\n")}
+*/`;
+
+mkdirSync(out, { recursive: true });
+await esbuild.build({
+  absWorkingDir: here,
+  entryPoints: { live: "source/main.jsx" },
+  outdir: out,
+  bundle: true,
+  minify: true,
+  charset: "utf8",
+  format: "iife",
+  target: ["es2022"],
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  nodePaths: [packages],
+  legalComments: "none",
+  banner: { js: banner, css: banner },
+  logLevel: "warning",
+});
+copyFileSync(join(here, "source/live.html"), join(out, "live.html"));

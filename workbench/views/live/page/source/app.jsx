@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// The page: a header with the state of the connection, areas with panels, help.
+import { useEffect, useState } from "preact/hooks";
+
+import { Audience, isAudience } from "./audience.jsx";
+import { duration, seconds } from "./format.js";
+import { Help } from "./help.jsx";
+import { onKey } from "./keys.js";
+import { AREAS, contentsOf, hidePanel, movePanel, openPanel, resetLayout } from "./layout.js";
+import { panels } from "./panels/index.js";
+import { limits, link, store } from "./robot.js";
+import { thought } from "./sentence.js";
+import { settings } from "./settings.js";
+import { switchTheme } from "./theme.js";
+import { changed, useChanges } from "./ticker.js";
+
+const STALE = 3000; // ms without a message after which the page says so
+const RECENT_DROPS = 10000; // ms
+
+function connectionText() {
+  const now = Date.now();
+  if (link.state === "connecting") return { tone: "doubt", text: "Connecting to the robot…" };
+  if (link.state === "closed") {
+    const gone = duration((now - link.since) / 1000);
+    return { tone: "wrong", text: `The robot is gone for ${gone}. Trying again…` };
+  }
+  if (!store.frames.length) return { tone: "doubt", text: "Connected. Waiting for data…" };
+  if (now - link.heard > STALE) return { tone: "doubt", text: `No data for ${duration((now - link.heard) / 1000)}` };
+  return { tone: "good", text: "Live" };
+}
+
+export function ConnectionState() {
+  useChanges(200);
+  const { tone, text } = connectionText();
+  const shown = store.shown();
+  const isPaused = !store.isLive && link.state === "open";
+  return (
+    <span class={`connection ${isPaused ? "busy" : tone}`} role="status">
+      <i class="lamp" />
+      <b>{isPaused ? "View paused" : text}</b>
+      {shown && <span class="value">{seconds(shown.time)}</span>}
+    </span>
+  );
+}
+
+export function Thought() {
+  useChanges(200);
+  const { text, tone } = thought(store, limits());
+  return <p class={`thought ${tone}`}>{text}</p>;
+}
+
+function Notices() {
+  useChanges(500);
+  const lines = [...link.notices.values()].map(({ level, message }) => ({ level, message }));
+  if (link.drops && Date.now() - link.lastDrop < RECENT_DROPS)
+    lines.push({
+      level: 1,
+      message: `The connection is too slow: the robot left out messages (reported ${link.drops} times).`,
+    });
+  if (store.bad)
+    lines.push({ level: 1, message: `${store.bad} messages could not be read; the last: ${store.badText}` });
+  return lines.map(({ level, message }) => (
+    <div key={message} class={level >= 2 ? "notice error" : "notice"} role="alert">
+      {message}
+    </div>
+  ));
+}
+
+function PanelMenu() {
+  useChanges(500);
+  return (
+    <details class="menu">
+      <summary class="button">Panels</summary>
+      <div class="sheet">
+        {panels.map(({ id, title, key }) => {
+          const isHidden = settings.hidden.includes(id);
+          return (
+            <label key={id}>
+              <input type="checkbox" checked={!isHidden} onChange={() => (isHidden ? openPanel(id) : hidePanel(id))} />
+              {title} <kbd>{key}</kbd>
+            </label>
+          );
+        })}
+        <button class="link" onClick={resetLayout}>
+          Reset the layout
+        </button>
+      </div>
+    </details>
+  );
+}
+
+function Header({ onHelp }) {
+  useChanges(1000);
+  const names = { system: "as the system", light: "light", dark: "dark" };
+  return (
+    <header>
+      <ConnectionState />
+      <Thought />
+      <nav>
+        <PanelMenu />
+        <button
+          class="button"
+          onClick={switchTheme}
+          title={`Colors: ${names[settings.theme]} (T)`}
+          aria-label={`Colors: ${names[settings.theme]}`}
+        >
+          ◐
+        </button>
+        <a class="button" href="#audience" title="Large and read-only (A)">
+          Audience
+        </a>
+        <button class="button" onClick={onHelp} title="Keys (?)" aria-label="Keys">
+          ?
+        </button>
+      </nav>
+    </header>
+  );
+}
+
+function Area({ area }) {
+  useChanges(1000);
+  const { all, open } = contentsOf(area);
+  if (!open) return null;
+  const move = (event) => {
+    const target = event.currentTarget.value;
+    event.currentTarget.value = "";
+    if (target === "hide") hidePanel(open.id);
+    else movePanel(open.id, target);
+  };
+  const { Component } = open;
+  return (
+    <section class="area" data-area={area} data-panel={open.id} aria-label={open.title}>
+      <div class="tabs" role="tablist">
+        {all.map((panel) => (
+          <button
+            key={panel.id}
+            role="tab"
+            aria-selected={panel === open}
+            title={`${panel.title} (${panel.key})`}
+            onClick={() => openPanel(panel.id)}
+          >
+            {panel.title}
+          </button>
+        ))}
+        <select class="move" aria-label={`Move ${open.title}`} title="Move or hide this panel" onChange={move} value="">
+          <option value="" disabled hidden>
+            ⋯
+          </option>
+          {AREAS.filter(([id]) => id !== area).map(([id, name]) => (
+            <option key={id} value={id}>
+              Move to {name}
+            </option>
+          ))}
+          <option value="hide">Hide</option>
+        </select>
+      </div>
+      <div class="panel" key={open.id}>
+        <Component />
+      </div>
+    </section>
+  );
+}
+
+function Areas() {
+  useChanges(1000);
+  const is = (area) => contentsOf(area).all.length > 0;
+  return (
+    <main>
+      <div class="upper">
+        <Area area="left" />
+        {(is("middle") || is("below")) && (
+          <div class="pair">
+            <Area area="middle" />
+            <Area area="below" />
+          </div>
+        )}
+        <Area area="right" />
+      </div>
+      <Area area="bottom" />
+    </main>
+  );
+}
+
+export function App() {
+  const [audience, setAudience] = useState(isAudience());
+  const [help, setHelp] = useState(false);
+  useEffect(() => {
+    const navigate = () => setAudience(isAudience());
+    const key = (event) => onKey(event, { help: () => setHelp((shown) => !shown), close: () => setHelp(false) });
+    const tick = setInterval(changed, 500); // durations on the page advance without messages
+    addEventListener("hashchange", navigate);
+    addEventListener("keydown", key);
+    return () => {
+      clearInterval(tick);
+      removeEventListener("hashchange", navigate);
+      removeEventListener("keydown", key);
+    };
+  }, []);
+  if (audience) return <Audience />;
+  return (
+    <div class={`page ${link.state === "closed" ? "gone" : ""}`}>
+      <Header onHelp={() => setHelp(true)} />
+      <Notices />
+      <Areas />
+      {help && <Help onClose={() => setHelp(false)} />}
+    </div>
+  );
+}

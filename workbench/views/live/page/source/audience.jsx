@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The view for an audience: the field with the wall around it, and one sentence about what the robot thinks. Large and
+// read-only.
+import { ConnectionState, Thought } from "./app.jsx";
+import { Canvas } from "./draw/canvas.jsx";
+import { palette } from "./draw/palette.js";
+import { drawField } from "./panels/field.jsx";
+import { EvidenceBar } from "./panels/wall.jsx";
+import { store } from "./robot.js";
+import { useChanges } from "./ticker.js";
+
+const LAYERS = {
+  belief: true,
+  cone: true,
+  mirrored: true,
+  truth: true,
+  particles: false,
+  percepts: false,
+  path: true,
+  ring: true,
+};
+
+export const isAudience = () => location.hash === "#audience" || location.pathname.endsWith("/audience");
+
+function Legend() {
+  useChanges(1000);
+  const entries = [
+    ["where the robot thinks it is", palette.belief],
+    ["the mirrored place", palette.opposite],
+  ];
+  if (store.shown()?.truth) entries.push(["where it really is", palette.truth]);
+  entries.push(["which part of the wall it recognizes", palette.view]);
+  return (
+    <p class="legend">
+      {entries.map(([name, color]) => (
+        <span key={name}>
+          <i class="dot" style={{ background: color }} />
+          {name}
+        </span>
+      ))}
+    </p>
+  );
+}
+
+export function Audience() {
+  return (
+    <div class="audience">
+      <div class="stage">
+        <Canvas
+          draw={(context, width, height) => drawField(context, width, height, LAYERS)}
+          label="The field from above, and the wall of the room around it"
+        />
+      </div>
+      <aside>
+        <Thought />
+        <div>
+          <h2>The colors of the room support</h2>
+          <EvidenceBar />
+        </div>
+        <Legend />
+        <ConnectionState />
+      </aside>
+    </div>
+  );
+}

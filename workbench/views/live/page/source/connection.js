@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The connection to the robot: subscribes to topics, calls services, sets parameters, and connects again by itself.
+import { SUBPROTOCOL, readBinary, readJson, readText, serviceRequest } from "./protocol.js";
+
+const FIRST_RETRY = 1000; // ms
+const LONGEST_RETRY = 3000;
+const SILENCE = 10000; // after this time without any message the connection is opened again
+const SERVICE_TIMEOUT = 5000;
+
+/// Events that `listener(name, value)` receives: "state", "server", "message", "status", "parameters", "services",
+/// "bad".
+export class Connection {
+  constructor(url, topics, listener) {
+    this.url = url;
+    this.topics = new Set(topics);
+    this.listener = listener;
+    this.state = "connecting";
+    this.server = null;
+    this.services = new Map(); // name: id
+    this.channels = new Map(); // id: topic
+    this.subscriptions = new Map(); // id: topic
+    this.calls = new Map(); // id: {resolve, reject, timer}
+    this.nextId = 1;
+    this.retry = FIRST_RETRY;
+    this.lastHeard = 0;
+    this.watch = setInterval(() => this.checkSilence(), 1000);
+    this.open();
+  }
+
+  open() {
+    const socket = new WebSocket(this.url, [SUBPROTOCOL]);
+    this.socket = socket;
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => {
+      this.lastHeard = Date.now();
+    };
+    socket.onmessage = (event) => {
+      this.lastHeard = Date.now();
+      this.receive(event.data);
+    };
+    socket.onclose = () => this.closed(socket);
+  }
+
+  close() {
+    clearInterval(this.watch);
+    clearTimeout(this.timer);
+    this.socket.onclose = null;
+    this.socket.close();
+  }
+
+  closed(socket) {
+    if (socket !== this.socket) return;
+    this.channels.clear();
+    this.subscriptions.clear();
+    this.services.clear();
+    this.server = null;
+    for (const call of this.calls.values()) {
+      clearTimeout(call.timer);
+      call.reject(new Error("the connection was closed"));
+    }
+    this.calls.clear();
+    this.setState("closed");
+    this.timer = setTimeout(() => this.open(), this.retry);
+    this.retry = Math.min(LONGEST_RETRY, this.retry + 500);
+  }
+
+  checkSilence() {
+    if (this.state !== "open" || Date.now() - this.lastHeard < SILENCE) return;
+    const silent = this.socket;
+    silent.close();
+    this.closed(silent); // a dead network does not answer the close
+  }
+
+  setState(state) {
+    this.state = state;
+    this.listener("state", state);
+  }
+
+  receive(data) {
+    try {
+      if (typeof data === "string") this.receiveText(readText(data));
+      else this.receiveBinary(readBinary(data));
+    } catch (error) {
+      this.listener("bad", error.message);
+    }
+  }
+
+  receiveText(message) {
+    const { op } = message;
+    if (op === "serverInfo") {
+      this.server = message;
+      this.retry = FIRST_RETRY;
+      this.listener("server", message);
+      this.setState("open");
+    } else if (op === "advertise") {
+      this.subscribe(message.channels);
+    } else if (op === "unadvertise") {
+      for (const id of message.channelIds) this.channels.delete(id);
+    } else if (op === "advertiseServices") {
+      for (const { id, name } of message.services) this.services.set(name, id);
+      this.listener("services", this.services);
+    } else if (op === "unadvertiseServices") {
+      for (const [name, id] of this.services) if (message.serviceIds.includes(id)) this.services.delete(name);
+      this.listener("services", this.services);
+    } else if (op === "parameterValues") {
+      this.listener("parameters", message);
+    } else if (op === "status" || op === "removeStatus") {
+      this.listener("status", message);
+    } else if (op === "serviceCallFailure") {
+      this.finishCall(message.callId, null, new Error(message.message));
+    }
+  }
+
+  receiveBinary(message) {
+    if (message.op === "messageData") {
+      const topic = this.subscriptions.get(message.subscription);
+      if (topic) this.listener("message", { topic, time: message.time, payload: message.payload });
+    } else if (message.op === "serviceResponse") {
+      this.finishCall(message.call, readJson(message.payload), null);
+    }
+  }
+
+  subscribe(channels) {
+    const subscriptions = [];
+    for (const { id, topic, encoding } of channels) {
+      this.channels.set(id, topic);
+      if (encoding !== "json" || !this.topics.has(topic)) continue;
+      const subscription = this.nextId++;
+      this.subscriptions.set(subscription, topic);
+      subscriptions.push({ id: subscription, channelId: id });
+    }
+    if (subscriptions.length) this.send({ op: "subscribe", subscriptions });
+  }
+
+  send(message) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+
+  has(capability) {
+    return this.server?.capabilities?.includes(capability) ?? false;
+  }
+
+  /// Calls a service that the robot advertises. The promise rejects with the robot's reason, or after 5 s.
+  call(name, value) {
+    const service = this.services.get(name);
+    if (service === undefined) return Promise.reject(new Error(`the robot has no service ${name}`));
+    const call = this.nextId++;
+    return new Promise((resolve, reject) => {
+      const timer = setTimeout(
+        () => this.finishCall(call, null, new Error(`no answer to ${name} after 5 s`)),
+        SERVICE_TIMEOUT,
+      );
+      this.calls.set(call, { resolve, reject, timer });
+      this.socket.send(serviceRequest(service, call, value));
+    });
+  }
+
+  finishCall(id, value, error) {
+    const call = this.calls.get(id);
+    if (!call) return;
+    this.calls.delete(id);
+    clearTimeout(call.timer);
+    if (error) call.reject(error);
+    else call.resolve(value);
+  }
+}

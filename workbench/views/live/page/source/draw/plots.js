@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The plots of the timeline: evidence and confidences. All tracks of the timeline share the gutter on the left.
+import uPlot from "uplot";
+
+import { themeColor } from "./palette.js";
+
+export const GUTTER = 104; // pixels
+export const RIGHT = 10;
+const MOST_POINTS = 1500;
+const FONT = "11px system-ui, sans-serif";
+const EVIDENCE_MARKS = [-1000, -100, -10, 0, 10, 100, 1000];
+
+/// A title in the gutter, as those of the other tracks.
+function drawTitle(plot, title) {
+  const { ctx: context, bbox: box } = plot;
+  context.save();
+  context.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
+  context.fillStyle = themeColor("soft");
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.fillText(title, 8 * devicePixelRatio, box.top + box.height / 2);
+  context.restore();
+}
+
+function common(width, height, range, marks, format, title) {
+  return {
+    width,
+    height,
+    padding: [6, RIGHT, 6, 0],
+    cursor: { show: false },
+    legend: { show: false },
+    axes: [
+      { show: false },
+      {
+        size: GUTTER,
+        font: FONT,
+        stroke: themeColor("soft"),
+        grid: { stroke: themeColor("rule"), width: 1 },
+        ticks: { show: false },
+        splits: marks,
+        values: (plot, splits) => splits.map(format),
+        space: 10,
+      },
+    ],
+    scales: { x: { time: false, range } },
+    hooks: { draw: [(plot) => drawTitle(plot, title)] },
+  };
+}
+
+const minus = (value) => String(value).replace("-", "−");
+
+function drawLimits(plot, limit) {
+  if (!limit) return;
+  const { ctx: context, bbox: box } = plot;
+  context.save();
+  context.setLineDash([5, 4]);
+  context.lineWidth = devicePixelRatio;
+  for (const [value, color] of [
+    [limit.unconfirmed, "red"],
+    [-limit.unconfirmed, "blue"],
+  ]) {
+    const y = plot.valToPos(value, "y", true);
+    context.strokeStyle = themeColor(color);
+    context.beginPath();
+    context.moveTo(box.left, y);
+    context.lineTo(box.left + box.width, y);
+    context.stroke();
+  }
+  context.restore();
+}
+
+/// `range()`: [from, to] of the time axis. `limits()`: thresholds of the evidence, or null.
+export function evidencePlot(element, width, height, range, limits) {
+  const splits = (plot, axis, low, high) => {
+    const inside = EVIDENCE_MARKS.filter((mark) => mark >= low && mark <= high);
+    const apart = Math.max(...inside) > 10 ? (mark) => mark === 0 || Math.abs(mark) >= 100 : () => true;
+    return height < 110 ? inside.filter(apart) : inside;
+  };
+  const options = common(width, height, range, splits, minus, "evidence");
+  options.scales.y = {
+    distr: 4,
+    asinh: 2,
+    range: (plot, low, high) => {
+      const most = Math.max(12, Math.abs(low ?? 0), Math.abs(high ?? 0)) * 1.1;
+      return [-most, most];
+    },
+  };
+  options.series = [
+    {},
+    { fill: themeColor("red-soft"), stroke: "transparent", points: { show: false } },
+    { fill: themeColor("blue-soft"), stroke: "transparent", points: { show: false } },
+    { stroke: themeColor("ink"), width: 1.5, points: { show: false } },
+  ];
+  for (const series of options.series.slice(1, 3)) series.fillTo = 0;
+  options.hooks.draw.push((plot) => drawLimits(plot, limits()));
+  return new uPlot(options, [[], [], [], []], element);
+}
+
+export function confidencePlot(element, width, height, range) {
+  const options = common(width, height, range, () => (height < 50 ? [0, 1] : [0, 0.5, 1]), String, "confidence");
+  options.scales.y = { range: [-0.04, 1.04] };
+  options.series = [
+    {},
+    { stroke: themeColor("red"), width: 1.75, points: { show: false } },
+    { stroke: themeColor("blue"), width: 1.75, points: { show: false } },
+  ];
+  return new uPlot(options, [[], [], []], element);
+}
+
+/// The columns of the plots between two times: {evidence, confidence}.
+export function columnsOf(store, from, to) {
+  const first = Math.max(0, store.indexAt(from));
+  const last = Math.min(store.frames.length - 1, store.indexAt(to) + 1);
+  const stride = Math.max(1, Math.ceil((last - first) / MOST_POINTS));
+  const [time, above, under, evidence, current, opposite] = [[], [], [], [], [], []];
+  // Strides begin at multiples of frames since the start, so that the same points are chosen while the view moves.
+  const begin = first - ((first + store.droppedFrames) % stride);
+  for (let i = Math.max(0, begin); i <= last; i += stride) {
+    const frame = store.frames[i];
+    if (!frame?.pose) continue;
+    const value = frame.evidence ?? null;
+    time.push(frame.time);
+    evidence.push(value);
+    above.push(value === null ? null : Math.max(0, value));
+    under.push(value === null ? null : Math.min(0, value));
+    current.push(frame.current ?? null);
+    opposite.push(frame.opposite ?? null);
+  }
+  return { evidence: [time, above, under, evidence], confidence: [time, opposite, current] };
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The keys of the page. Keys typed into a field are left alone, except Escape.
+import { openPanel } from "./layout.js";
+import { panels } from "./panels/index.js";
+import { store, undoParameter } from "./robot.js";
+import { switchTheme } from "./theme.js";
+
+export const KEYS = [
+  ["Space", "pause the view, or back to live; the robot continues"],
+  ["← →", "one frame back or forward; with Shift one second"],
+  ["L", "back to live"],
+  ["1 … 9", "open a panel"],
+  ["/", "search in parameters, world or log"],
+  ["N", "write a note"],
+  ["U", "undo the last change of a parameter"],
+  ["T", "colors: as the system, light, dark"],
+  ["A", "audience view, and back"],
+  ["?", "show or hide these keys"],
+  ["wheel", "in the timeline: zoom; with Shift: move"],
+];
+
+const SECOND = 1;
+
+function move(event, direction) {
+  if (event.shiftKey) store.show((store.shown()?.time ?? 0) + direction * SECOND);
+  else store.step(direction);
+}
+
+function focusSoon(selector) {
+  setTimeout(() => document.querySelector(selector)?.focus(), 50);
+}
+
+/// `actions`: help(), close().
+export function onKey(event, actions) {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const { target } = event;
+  if (event.key === "Escape") {
+    target.blur?.();
+    actions.close();
+    return;
+  }
+  const isTyping = target.matches?.("input:not([type=range]):not([type=checkbox]), textarea, select");
+  if (isTyping || (target.matches?.("input[type=range]") && event.key.startsWith("Arrow"))) return;
+  if (event.key === " " && target.matches?.("button:not(#pause), summary, input")) return;
+  const panel = panels.find((it) => it.key === event.key);
+  const handlers = {
+    " ": () => store.show(store.isLive ? store.newest : null),
+    l: () => store.show(null),
+    ArrowLeft: () => move(event, -1),
+    ArrowRight: () => move(event, 1),
+    t: switchTheme,
+    u: undoParameter,
+    a: () => {
+      location.hash = location.hash === "#audience" ? "" : "#audience";
+    },
+    n: () => {
+      openPanel("notes");
+      focusSoon("#note");
+    },
+    "/": () => focusSoon("[data-area=right] input[type=search], input[type=search]"),
+    "?": actions.help,
+  };
+  const handler = panel
+    ? () => openPanel(panel.id)
+    : handlers[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  if (!handler) return;
+  event.preventDefault();
+  handler();
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Notes that go into the recording at the present time of the robot, and all notes of the stored time.
+import { useState } from "preact/hooks";
+
+import { fixed } from "../format.js";
+import { call, canCall, store } from "../robot.js";
+import { useChanges } from "../ticker.js";
+
+function Notes() {
+  useChanges(250);
+  const [text, setText] = useState("");
+  const [answer, setAnswer] = useState("");
+  const notes = store.events.filter((event) => event.kind === "note").reverse();
+  const send = async (event) => {
+    event.preventDefault();
+    if (!text.trim()) return;
+    try {
+      await call("note", { text: text.trim() });
+      setText("");
+      setAnswer("");
+    } catch (error) {
+      setAnswer(`The note was not stored: ${error.message}`);
+    }
+  };
+  return (
+    <div class="fill column">
+      {canCall("note") && (
+        <form class="row pad" onSubmit={send}>
+          <input
+            id="note"
+            class="grow"
+            type="text"
+            maxlength="500"
+            placeholder="What do you see? Press Enter."
+            aria-label="Note"
+            value={text}
+            onInput={(event) => setText(event.currentTarget.value)}
+          />
+          <button class="button" disabled={!text.trim()}>
+            Add
+          </button>
+        </form>
+      )}
+      {answer && <div class="fault pad">{answer}</div>}
+      <ol class="scroll log">
+        {notes.map((note) => (
+          <li key={`${note.time} ${note.text}`}>
+            <button class="plain time" title="Show this instant" onClick={() => store.show(note.time)}>
+              {fixed(note.time, 2)}
+            </button>
+            <span>
+              {note.machine !== "note" && <b>{note.machine} </b>}
+              {note.text}
+            </span>
+          </li>
+        ))}
+        {!notes.length && (
+          <li class="empty">
+            {canCall("note")
+              ? "No notes yet. A note is stored in the recording with the time of the robot."
+              : "This robot takes no notes from the page."}
+          </li>
+        )}
+      </ol>
+    </div>
+  );
+}
+
+export default { id: "notes", title: "Notes", area: "right", key: "8", Component: Notes };

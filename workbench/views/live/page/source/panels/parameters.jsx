@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The parameters: search, sliders and numbers with range, unit and description; undo; differences.
+import { useRef, useState } from "preact/hooks";
+
+import { entered } from "../format.js";
+import { canSetParameters, parameters, setParameter, undoParameter } from "../robot.js";
+import { useChanges } from "../ticker.js";
+
+const LONGEST_LIST = 120;
+const SEND_INTERVAL = 100; // ms, while a slider moves
+
+const isRange = ({ min, max, value }) =>
+  typeof value === "number" && Number.isFinite(min) && Number.isFinite(max) && max > min;
+
+/// The position of a slider, in thousandths. Wide positive ranges are logarithmic.
+function scaleOf({ min, max }) {
+  const isWide = min > 0 && max / min > 500;
+  return isWide
+    ? {
+        position: (value) => (1000 * Math.log(value / min)) / Math.log(max / min),
+        value: (at) => min * (max / min) ** (at / 1000),
+      }
+    : { position: (value) => (1000 * (value - min)) / (max - min), value: (at) => min + ((max - min) * at) / 1000 };
+}
+
+function Slider({ parameter, disabled }) {
+  const last = useRef(0);
+  const scale = scaleOf(parameter);
+  const valueAt = (event) => {
+    const { min, max, default: standard } = parameter;
+    const isWhole = [min, max, standard].every(Number.isInteger) && max - min >= 20 && parameter.type === "integer";
+    const value = Number(scale.value(Number(event.currentTarget.value)).toPrecision(3));
+    return Math.min(max, Math.max(min, isWhole ? Math.round(value) : value));
+  };
+  const move = (event) => {
+    const now = performance.now();
+    if (now - last.current < SEND_INTERVAL) return;
+    last.current = now;
+    setParameter(parameter.name, valueAt(event));
+  };
+  const finish = (event) => {
+    const value = valueAt(event);
+    if (value !== parameters.all.get(parameter.name).value) setParameter(parameter.name, value);
+    parameters.settle();
+  };
+  return (
+    <input
+      type="range"
+      min="0"
+      max="1000"
+      step="1"
+      value={Math.round(scale.position(parameter.value))}
+      disabled={disabled}
+      aria-label={`${parameter.name} as a slider`}
+      onInput={move}
+      onChange={finish}
+    />
+  );
+}
+
+function Value({ parameter, disabled }) {
+  const { name, value } = parameter;
+  const send = (next) => {
+    setParameter(name, next);
+    parameters.settle();
+  };
+  if (typeof value === "boolean")
+    return (
+      <input
+        type="checkbox"
+        checked={value}
+        disabled={disabled}
+        aria-label={name}
+        onChange={(event) => send(event.currentTarget.checked)}
+      />
+    );
+  const commit = (event) => {
+    const text = event.currentTarget.value.trim();
+    if (text === entered(value)) return;
+    const number = Number(text.replace("−", "-"));
+    if (typeof value === "number" && (text === "" || !Number.isFinite(number)))
+      event.currentTarget.value = entered(value);
+    else send(typeof value === "number" ? number : text);
+  };
+  return (
+    <input
+      type="text"
+      inputmode={typeof value === "number" ? "decimal" : "text"}
+      value={entered(value ?? "")}
+      disabled={disabled}
+      aria-label={name}
+      onBlur={commit}
+      onKeyDown={(event) => event.key === "Enter" && commit(event)}
+    />
+  );
+}
+
+function Parameter({ parameter, disabled }) {
+  const { name, unit, min, max, description, origin } = parameter;
+  const refusal = parameters.refusals.get(name);
+  const isChanged = parameters.differs(parameter, "default");
+  const range = isRange(parameter) ? `${entered(min)} to ${entered(max)}` : "";
+  return (
+    <li class={isChanged ? "parameter changed" : "parameter"}>
+      <div class="row">
+        <code class="grow">{name}</code>
+        <Value parameter={parameter} disabled={disabled} />
+        <span class="unit">{unit}</span>
+      </div>
+      {isRange(parameter) && <Slider parameter={parameter} disabled={disabled} />}
+      {description && <div class="description">{description}</div>}
+      <div class="facts">
+        {range && (
+          <span>
+            {range}
+            {unit ? ` ${unit}` : ""}
+          </span>
+        )}
+        {parameter.default !== undefined && <span>default {entered(parameter.default)}</span>}
+        {parameters.differs(parameter, "start") && <span>at the start {entered(parameters.start.get(name))}</span>}
+        {origin && <span>from {origin}</span>}
+        {isChanged && !disabled && (
+          <button
+            class="link"
+            onClick={() => {
+              setParameter(name, parameter.default);
+              parameters.settle();
+            }}
+          >
+            set to default
+          </button>
+        )}
+      </div>
+      {refusal && <div class="fault">{refusal}</div>}
+    </li>
+  );
+}
+
+const FILTERS = [
+  ["all", "all", () => true],
+  ["default", "changed", (it) => parameters.differs(it, "default")],
+  ["start", "since the start", (it) => parameters.differs(it, "start")],
+];
+
+function ParametersPanel() {
+  useChanges(200);
+  const [search, setSearch] = useState("");
+  const [filter, setFilter] = useState("all");
+  const disabled = !canSetParameters();
+  const words = search.toLowerCase().split(/\s+/).filter(Boolean);
+  const accepts = FILTERS.find(([id]) => id === filter)[2];
+  const found = [...parameters.all.values()]
+    .filter(
+      (it) => accepts(it) && words.every((word) => `${it.name} ${it.description ?? ""}`.toLowerCase().includes(word)),
+    )
+    .sort((a, b) => (a.name < b.name ? -1 : 1));
+  const last = parameters.undos.at(-1);
+  return (
+    <div class="fill column">
+      <div class="row pad">
+        <input
+          class="grow"
+          type="search"
+          placeholder="Search a name or description"
+          aria-label="Search parameters"
+          value={search}
+          onInput={(event) => setSearch(event.currentTarget.value)}
+        />
+        <button
+          class="button"
+          disabled={!last || disabled}
+          title={last ? `Set ${last.name} to ${entered(last.value)} again` : "Nothing to undo"}
+          onClick={undoParameter}
+        >
+          Undo
+        </button>
+      </div>
+      <div class="chips" role="group" aria-label="Which parameters">
+        {FILTERS.map(([id, name, accept]) => (
+          <button key={id} class="chip" aria-pressed={filter === id} onClick={() => setFilter(id)}>
+            {name}
+            {id === "all" ? "" : ` (${[...parameters.all.values()].filter(accept).length})`}
+          </button>
+        ))}
+        {disabled && <span class="soft">read-only</span>}
+      </div>
+      <ul class="scroll parameters">
+        {found.slice(0, LONGEST_LIST).map((parameter) => (
+          <Parameter key={parameter.name} parameter={parameter} disabled={disabled} />
+        ))}
+        {found.length > LONGEST_LIST && (
+          <li class="soft pad">{found.length - LONGEST_LIST} more; search for a name.</li>
+        )}
+        {!found.length && (
+          <li class="empty">
+            {parameters.all.size ? "No parameter matches." : "The robot has not sent its parameters yet."}
+          </li>
+        )}
+      </ul>
+    </div>
+  );
+}
+
+export default { id: "parameters", title: "Parameters", area: "right", key: "5", Component: ParametersPanel };

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The wall of the room: tiles in their mean color, where the robot looks, and the view belief over the azimuth.
+import { Canvas } from "../draw/canvas.jsx";
+import { drawNote, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
+import { palette, themeColor } from "../draw/palette.js";
+import { sceneOf } from "../draw/scene.js";
+import { drawRing, sightOnWall, wallOf } from "../draw/wall.js";
+import { fixed } from "../format.js";
+import { limits, store } from "../robot.js";
+import { set, settings } from "../settings.js";
+import { useChanges } from "../ticker.js";
+
+const DIRECTIONS = [
+  [180, "own goal"],
+  [90, "left"],
+  [0, "opponent's goal"],
+  [-90, "right"],
+  [-180, "own goal"],
+];
+
+function marker(context, u, top, bottom, color, name, side) {
+  context.strokeStyle = color;
+  context.lineWidth = 2.5;
+  context.beginPath();
+  context.moveTo(u, top);
+  context.lineTo(u, bottom);
+  context.stroke();
+  context.beginPath();
+  context.moveTo(u - 6, top - 1);
+  context.lineTo(u + 6, top - 1);
+  context.lineTo(u, top + 7);
+  context.fillStyle = color;
+  context.fill();
+  context.font = "600 11px system-ui, sans-serif";
+  context.textBaseline = "bottom";
+  context.textAlign = side;
+  context.fillText(name, u + (side === "left" ? -6 : 6), top - 4);
+}
+
+function drawStrip(context, scene, frame, width, height) {
+  const { radius, tiles, rods, top } = wallOf(scene);
+  const [left, right, above, below] = [6, width - 6, 22, 18];
+  // What is on the robot's left is on the left.
+  const at = (azimuth) => left + ((Math.PI - azimuth) / (2 * Math.PI)) * (right - left);
+  const belief = Math.max(18, 0.28 * (height - above - below));
+  const [tilesTop, tilesBottom] = [above, height - below - belief - 4];
+  const lowest = Math.min(...tiles.map((tile) => tile.low));
+  const v = (z) => tilesBottom - ((z - lowest) / (top - lowest)) * (tilesBottom - tilesTop);
+  for (const { from, to, low, high, color } of tiles) {
+    for (const turn of to > Math.PI ? [0, -2 * Math.PI] : [0]) {
+      const [u1, u2] = [Math.max(left, at(to + turn)), Math.min(right, at(from + turn))];
+      if (u2 <= u1) continue;
+      context.fillStyle = color;
+      context.fillRect(u1 + 0.5, v(high) + 0.5, u2 - u1 - 1, v(low) - v(high) - 1);
+    }
+  }
+  const base = height - below;
+  const tallest = Math.max(0.01, ...rods.map((rod) => rod.height));
+  const wide = Math.max(2, ((right - left) / 128) * 0.8);
+  context.fillStyle = palette.view;
+  for (const rod of rods) {
+    const tall = Math.max(1, (rod.height / tallest) * (belief - 2));
+    context.fillRect(at(rod.azimuth) - wide / 2, base - tall, wide, tall);
+  }
+  context.fillStyle = themeColor("rule");
+  context.fillRect(left, base, right - left, 1);
+  context.font = "11px system-ui, sans-serif";
+  context.textBaseline = "top";
+  context.fillStyle = themeColor("soft");
+  for (const [angle, name] of DIRECTIONS) {
+    context.textAlign = angle === 180 ? "left" : angle === -180 ? "right" : "center";
+    context.fillText(name, at((angle * Math.PI) / 180), base + 4);
+  }
+  if (!frame?.pose) return;
+  const seen = at(sightOnWall(frame.pose, frame.headYaw, radius));
+  const other = at(sightOnWall(mirrored(frame.pose), frame.headYaw, radius));
+  marker(context, other, above, base, palette.opposite, "view if mirrored", other < width / 2 ? "left" : "right");
+  marker(context, seen, above, base, themeColor("belief"), "believed view", seen < width / 2 ? "left" : "right");
+}
+
+function drawWallRing(context, scene, frame, width, height) {
+  const plan = fieldPlan(null, scene, width, height);
+  drawRing(context, scene, plan);
+  const message = store.lasting.get("/field");
+  if (message) {
+    for (const { points, color } of sceneOf(message).polygons) {
+      const corners = points.map(({ x, y }) => plan.at(x, y));
+      context.beginPath();
+      corners.forEach(([u, v], i) => (i ? context.lineTo(u, v) : context.moveTo(u, v)));
+      context.fillStyle = color;
+      context.fill();
+    }
+  }
+  if (!frame?.pose) return;
+  const { radius } = wallOf(scene);
+  for (const [pose, color] of [
+    [mirrored(frame.pose), palette.opposite],
+    [frame.pose, palette.belief],
+  ]) {
+    const azimuth = sightOnWall(pose, frame.headYaw, radius);
+    context.setLineDash([4, 4]);
+    context.strokeStyle = color;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(...plan.at(pose.x, pose.y));
+    context.lineTo(...plan.at(radius * Math.cos(azimuth), radius * Math.sin(azimuth)));
+    context.stroke();
+    context.setLineDash([]);
+    drawRobot(context, pose, color, 5, plan, color === palette.opposite);
+  }
+}
+
+export function drawWall(context, width, height, form) {
+  const found = store.read("/wall", 60);
+  if (!found) return drawNote(context, "The robot has not learned any colors of the room yet.", width, height);
+  const draw = form === "ring" ? drawWallRing : drawStrip;
+  // The belief of the view belongs to the frame of the wall, and so do the views that it is compared with.
+  const frame = store.frames[store.indexAt(found.time)];
+  return draw(context, sceneOf(found.value), frame, width, height);
+}
+
+/// The evidence as a bar from the believed to the mirrored pose, with the thresholds of a decision.
+export function EvidenceBar() {
+  useChanges(100);
+  const frame = store.shown();
+  const evidence = frame?.evidence;
+  const known = typeof evidence === "number";
+  const limit = limits();
+  const place = (value) => 50 + 50 * Math.max(-1, Math.min(1, Math.asinh(value / 2) / Math.asinh(75)));
+  const from = known ? Math.min(50, place(evidence)) : 50;
+  const to = known ? Math.max(50, place(evidence)) : 50;
+  return (
+    <div class="evidence">
+      <span class="blue">believed</span>
+      <div class="bar" role="img" aria-label={`Evidence ${fixed(evidence, 1)}`}>
+        <i class={evidence > 0 ? "red" : "blue"} style={{ left: `${from}%`, width: `${to - from}%` }} />
+        <b style={{ left: "50%" }} />
+        {limit &&
+          [limit.unconfirmed, -limit.unconfirmed].map((value) => (
+            <u key={value} style={{ left: `${place(value)}%` }} />
+          ))}
+      </div>
+      <span class="red">mirrored</span>
+      <span class="value">{known ? fixed(evidence, 1) : "–"}</span>
+    </div>
+  );
+}
+
+function WallPanel() {
+  useChanges(1000);
+  const other = settings.wall === "ring" ? "strip" : "ring";
+  return (
+    <div class="fill column">
+      <div class="row tight">
+        <EvidenceBar />
+        <button class="chip" onClick={() => set({ wall: other })}>
+          Show as {other}
+        </button>
+      </div>
+      <div class="stage">
+        <Canvas
+          draw={(context, width, height) => drawWall(context, width, height, settings.wall)}
+          interval={66}
+          label="The wall of the room in the colors that the robot learned"
+        />
+      </div>
+    </div>
+  );
+}
+
+export default { id: "wall", title: "Wall", area: "below", key: "2", Component: WallPanel };

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The parameters of the robot: values, what is known about them, changes from this page, and undo.
+
+export class Parameters {
+  constructor(onChange = () => {}) {
+    this.onChange = onChange;
+    this.all = new Map(); // name: {name, value, default, min, max, unit, description, origin}
+    this.start = new Map(); // name: value when the run was first seen
+    this.undos = []; // {name, value}: values before changes of this page
+    this.pending = new Map(); // name: {value, last}: sent and not yet answered
+    this.refusals = new Map(); // name: text
+    this.session = null;
+  }
+
+  /// Another session is another run: its values are the new start.
+  begin(session) {
+    if (session === this.session) return;
+    this.session = session;
+    this.all.clear();
+    this.start.clear();
+    this.undos = [];
+    this.refusals.clear();
+    this.onChange();
+  }
+
+  /// Takes descriptions and values, from the service parameter_list or from parameterValues.
+  take(list) {
+    for (const parameter of list) {
+      if (typeof parameter?.name !== "string") continue;
+      const known = this.all.get(parameter.name) ?? { name: parameter.name };
+      this.all.set(parameter.name, { ...known, ...parameter });
+      if (!this.start.has(parameter.name)) this.start.set(parameter.name, parameter.value);
+      const sent = this.pending.get(parameter.name);
+      if (sent === undefined) continue;
+      this.pending.delete(parameter.name);
+      if (sent === parameter.value) this.refusals.delete(parameter.name);
+      else this.refusals.set(parameter.name, `The robot kept ${parameter.value} instead of ${sent}.`);
+    }
+    this.onChange();
+  }
+
+  /// Takes a message of the topic /parameters, whose values are texts.
+  takeTexts(list) {
+    for (const { name, value, unit } of list) {
+      const known = this.all.get(name);
+      if (known && known.unit !== undefined) continue;
+      const number = Number(value);
+      const typed =
+        value === "true" ? true : value === "false" ? false : value !== "" && Number.isFinite(number) ? number : value;
+      this.all.set(name, { name, unit, ...(known ?? { value: typed }) });
+      if (!this.start.has(name)) this.start.set(name, typed);
+    }
+    this.onChange();
+  }
+
+  /// The message that sets a value. `undo`: whether the value before is kept for undo.
+  change(name, value, id, undo = true) {
+    const before = this.all.get(name)?.value;
+    const last = this.undos.at(-1);
+    if (undo && before !== value) {
+      // A slider sends many values; undo returns to the one before it was moved.
+      if (!(last && last.name === name && last.open)) this.undos.push({ name, value: before, open: true });
+    }
+    this.all.set(name, { ...this.all.get(name), value });
+    this.pending.set(name, value);
+    this.onChange();
+    return { op: "setParameters", parameters: [{ name, value }], id };
+  }
+
+  /// Ends a movement of a slider: the next change is undone separately.
+  settle() {
+    const last = this.undos.at(-1);
+    if (last) last.open = false;
+  }
+
+  takeUndo() {
+    const undo = this.undos.pop();
+    this.onChange();
+    return undo;
+  }
+
+  /// Names whose value differs from `key`: "default", or "start" of the run.
+  differing(key) {
+    return [...this.all.values()].filter((it) => this.differs(it, key));
+  }
+
+  differs(parameter, key) {
+    const other = key === "default" ? parameter.default : this.start.get(parameter.name);
+    return other !== undefined && other !== parameter.value;
+  }
+}
+
+/// The thresholds of the evidence in log-odds, as scripts/lib/decision.lua computes them; null if its parameters are
+/// unknown.
+export function thresholds(parameters) {
+  const value = (name) => Number(parameters.all.get(`decision.${name}`)?.value);
+  const least = value("least");
+  const of = (chances) => Math.max(least, Math.log(chances / value("false_flips")));
+  const found = { confirmed: of(value("looks")), unconfirmed: of(value("disturbances")) };
+  return Number.isFinite(found.confirmed) && Number.isFinite(found.unconfirmed) ? found : null;
+}

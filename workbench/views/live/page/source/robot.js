@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The robot as the panels see it: the store, the parameters, the state of the connection, and what can be sent.
+import { Connection } from "./connection.js";
+import { Parameters, thresholds } from "./parameters.js";
+import { Store, TOPICS } from "./store.js";
+import { changed } from "./ticker.js";
+
+const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
+
+export const store = new Store(changed);
+export const parameters = new Parameters(changed);
+
+/// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports.
+export const link = {
+  state: "connecting",
+  since: Date.now(),
+  name: "",
+  drops: 0,
+  lastDrop: 0,
+  notices: new Map(),
+  heard: 0,
+  services: new Set(),
+};
+
+let connection = null;
+let session = null;
+let nextId = 1;
+let subscribed = false;
+
+const listeners = {
+  state(state) {
+    if (state !== link.state) link.since = Date.now();
+    link.state = state;
+    if (state !== "open") link.services = new Set();
+    else if (connection.has("parameters")) connection.send({ op: "getParameters", parameterNames: [], id: "all" });
+    subscribed = false;
+  },
+  server(info) {
+    link.name = info.name;
+    link.notices.clear();
+    if (session !== null && info.sessionId !== session) store.clear();
+    session = info.sessionId;
+    parameters.begin(session);
+  },
+  services(services) {
+    link.services = new Set(services.keys());
+    if (link.services.has("parameter_list")) loadParameters();
+  },
+  message({ topic, time, payload }) {
+    link.heard = Date.now();
+    store.receive(topic, time, payload);
+    if (topic === "/parameters") parameters.takeTexts(store.lasting.get(topic)?.parameters ?? []);
+  },
+  parameters({ parameters: list }) {
+    parameters.take(list);
+    // With no names: updates of all parameters.
+    if (!subscribed && connection.has("parametersSubscribe")) {
+      connection.send({ op: "subscribeParameterUpdates", parameterNames: list.map((it) => it.name) });
+      subscribed = true;
+    }
+  },
+  status(message) {
+    if (message.op === "removeStatus") {
+      for (const id of message.statusIds) link.notices.delete(id);
+    } else if (message.message === SLOW) {
+      ++link.drops;
+      link.lastDrop = Date.now();
+    } else {
+      link.notices.set(message.id ?? message.message, message);
+    }
+  },
+  bad(text) {
+    ++store.bad;
+    store.badText = text;
+  },
+};
+
+export function connect(url) {
+  connection = new Connection(url, TOPICS, (name, value) => {
+    listeners[name](value);
+    changed();
+  });
+}
+
+async function loadParameters() {
+  try {
+    parameters.take((await connection.call("parameter_list", {})).parameters);
+  } catch (error) {
+    link.notices.set("parameter_list", { level: 1, message: `The list of parameters is missing: ${error.message}` });
+    changed();
+  }
+}
+
+export const canSetParameters = () => link.state === "open" && connection.has("parameters");
+export const canCall = (service) => link.services.has(service);
+export const call = (service, value) => connection.call(service, value);
+
+/// Sends a value of a parameter. The answer contains the value that is in force.
+export function setParameter(name, value, undo = true) {
+  connection.send(parameters.change(name, value, `set-${nextId++}`, undo));
+}
+
+export function undoParameter() {
+  const undo = parameters.takeUndo();
+  if (undo) setParameter(undo.name, undo.value, false);
+  return undo;
+}
+
+/// Thresholds of the evidence, if the robot has the parameters from which they follow.
+export const limits = () => thresholds(parameters);

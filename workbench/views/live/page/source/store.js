@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// The one store of what the robot sent: the frames of the last 10 minutes, what happened in them, and which instant the
+// panels show. Times are seconds of the robot.
+import { FRAME_SIZE, IMAGE_TOPICS, fit, sizeOf } from "./memory.js";
+import { readJson } from "./protocol.js";
+
+export const TOPICS = [
+  "/field",
+  "/wall",
+  "/percepts",
+  "/belief/particles",
+  "/truth/pose",
+  "/world",
+  "/machines",
+  "/events",
+  "/request",
+  "/log",
+  "/costs",
+  "/parameters",
+  "/camera/upper/image",
+  "/camera/upper/calibration",
+  "/camera/upper/annotations",
+  "/camera/lower/image",
+  "/camera/lower/calibration",
+  "/camera/lower/annotations",
+];
+const LONGEST = 600; // s
+const BUDGET = 256e6; // bytes
+const MOST_LINES = 5000; // of the log, and of events
+const PARSED = 48; // parsed messages that are kept
+const LASTING = new Set(["/field", "/parameters", "/camera/upper/calibration", "/camera/lower/calibration"]);
+const MICROSECOND = 1e-6;
+
+function binaryOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
+const seconds = (timestamp) => timestamp.sec + 1e-9 * timestamp.nsec;
+
+/// An entry of the timeline from a message of /events.
+export function eventOf(time, message) {
+  const { machine, state, command, verdict, reason } = message;
+  if (command)
+    return { time, kind: "command", machine, state, command, verdict, granted: verdict === "granted", reason };
+  if (state.startsWith("note: ")) return { time, kind: "note", machine, text: state.slice(6), reason };
+  const at = state.indexOf("> ");
+  if (at < 0) return { time, kind: "game", machine, text: state, reason };
+  return { time, kind: "transition", machine, from: state.slice(0, at).trim(), to: state.slice(at + 2), reason };
+}
+
+export class Store {
+  constructor(onChange = () => {}, budget = BUDGET) {
+    this.onChange = onChange;
+    this.budget = budget;
+    this.dropped = 0; // times that the robot dropped messages because the connection is slow
+    this.bad = 0; // messages that could not be read
+    this.badText = "";
+    this.clear();
+  }
+
+  /// Forgets everything that was received, for example because another run began.
+  clear() {
+    this.frames = [];
+    this.size = 0;
+    this.events = [];
+    this.log = [];
+    this.bands = new Map(); // "status" or the name of a machine: [{time, value}], one entry a change
+    this.lasting = new Map(); // topic: message
+    this.parsed = new Map();
+    this.instant = null; // s; null: live
+    this.droppedFrames = 0;
+    this.onChange();
+  }
+
+  /// Takes a message. `time`: microseconds.
+  receive(topic, time, payload) {
+    try {
+      this.take(topic, time * MICROSECOND, payload);
+    } catch (error) {
+      ++this.bad;
+      this.badText = `${topic}: ${error.message}`;
+    }
+    this.onChange();
+  }
+
+  take(topic, time, payload) {
+    if (LASTING.has(topic)) {
+      this.lasting.set(topic, readJson(payload));
+      return;
+    }
+    const last = this.frames.at(-1);
+    if (last && time < last.time - LONGEST) this.clear();
+    if (topic === "/events") {
+      this.addLine(this.events, eventOf(time, readJson(payload)));
+      return;
+    }
+    if (topic === "/log") {
+      this.addLine(this.log, { time, ...readJson(payload) });
+      return;
+    }
+    const frame = this.frameAt(time);
+    let part = payload;
+    if (topic === "/world") this.takeWorld(frame, readJson(payload));
+    if (topic === "/machines")
+      for (const machine of readJson(payload).machines) this.addBand(machine.name, time, machine.state);
+    if (topic === "/truth/pose") {
+      const { position, orientation } = readJson(payload).pose;
+      frame.truth = { x: position.x, y: position.y, rotation: 2 * Math.atan2(orientation.z, orientation.w) };
+      part = null;
+    }
+    if (IMAGE_TOPICS.includes(topic)) {
+      const message = readJson(payload);
+      part = { bytes: binaryOf(message.data), time: seconds(message.timestamp), format: message.format };
+    }
+    if (part === null) return;
+    if (frame.parts[topic]) this.size -= sizeOf(frame.parts[topic]);
+    frame.parts[topic] = part;
+    this.size += sizeOf(part);
+    this.bound();
+  }
+
+  takeWorld(frame, world) {
+    const { pose = {}, confidence = {}, robot = {} } = world;
+    frame.pose = { x: pose.x, y: pose.y, rotation: pose.rotation };
+    frame.known = pose.known !== false;
+    frame.evidence = confidence.evidence;
+    frame.current = confidence.current;
+    frame.opposite = confidence.opposite;
+    frame.headYaw = robot.head_yaw ?? 0;
+    this.addBand("status", frame.time, confidence.status ?? "");
+  }
+
+  addBand(name, time, value) {
+    let band = this.bands.get(name);
+    if (!band) this.bands.set(name, (band = []));
+    if (band.at(-1)?.value !== value) band.push({ time, value });
+  }
+
+  addLine(list, line) {
+    list.push(line);
+    if (list.length > MOST_LINES) list.splice(0, MOST_LINES / 10);
+  }
+
+  /// The frame of this time, which is made if it is missing.
+  frameAt(time) {
+    const index = this.indexAt(time);
+    const found = this.frames[index];
+    if (found && found.time === time) return found;
+    const frame = { time, parts: {}, pose: null, truth: null, thinned: false };
+    this.frames.splice(index + 1, 0, frame);
+    this.size += FRAME_SIZE;
+    return frame;
+  }
+
+  bound() {
+    const newest = this.frames.at(-1).time;
+    let drop = 0;
+    while (this.frames[drop].time < newest - LONGEST) {
+      for (const part of Object.values(this.frames[drop].parts)) this.size -= sizeOf(part);
+      this.size -= FRAME_SIZE;
+      ++drop;
+    }
+    this.drop(drop);
+    if (this.size <= this.budget) return;
+    const fitted = fit(this.frames, this.size, this.budget);
+    this.size = fitted.size;
+    this.drop(fitted.drop);
+  }
+
+  drop(count) {
+    if (!count) return;
+    this.frames.splice(0, count);
+    this.droppedFrames += count;
+    const oldest = this.frames[0]?.time ?? 0;
+    for (const band of this.bands.values()) while (band.length > 1 && band[1].time <= oldest) band.shift();
+    for (const list of [this.events, this.log]) while (list.length && list[0].time < oldest) list.shift();
+  }
+
+  /// The index of the last frame at or before a time, -1 if there is none.
+  indexAt(time) {
+    const { frames } = this;
+    let low = 0;
+    let high = frames.length;
+    if (high && frames[high - 1].time <= time) return high - 1;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (frames[middle].time <= time) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  get newest() {
+    return this.frames.at(-1)?.time ?? 0;
+  }
+
+  get isLive() {
+    return this.instant === null;
+  }
+
+  /// The index of the frame that the panels show, -1 before the first. Live, it is the last complete one.
+  shownIndex() {
+    if (this.instant !== null) return Math.max(0, Math.min(this.indexAt(this.instant), this.frames.length - 1));
+    return this.frames.length > 1 ? this.frames.length - 2 : this.frames.length - 1;
+  }
+
+  shown() {
+    return this.frames[this.shownIndex()];
+  }
+
+  /// Shows an instant; null: follows the robot.
+  show(time) {
+    this.instant =
+      time === null || !this.frames.length ? null : Math.min(Math.max(time, this.frames[0].time), this.newest);
+    this.onChange();
+  }
+
+  /// Shows the frame `count` after the shown one.
+  step(count) {
+    const index = Math.max(0, Math.min(this.shownIndex() + count, this.frames.length - 1));
+    if (this.frames[index]) this.show(this.frames[index].time);
+  }
+
+  /// The last part of a topic at or before the shown frame, at most `within` s old: {part, time}, or null.
+  latest(topic, within = 2) {
+    const index = this.shownIndex();
+    if (index < 0) return null;
+    const oldest = this.frames[index].time - within;
+    for (let i = index; i >= 0 && this.frames[i].time >= oldest - 1e-6; --i) {
+      const part = this.frames[i].parts[topic];
+      if (part) return { part, time: this.frames[i].time };
+    }
+    return null;
+  }
+
+  /// The parsed message of a part.
+  parse(part) {
+    let value = this.parsed.get(part);
+    if (value === undefined) {
+      value = readJson(part);
+      if (this.parsed.size >= PARSED) this.parsed.delete(this.parsed.keys().next().value);
+      this.parsed.set(part, value);
+    }
+    return value;
+  }
+
+  /// The parsed last message of a topic, as `latest` finds it: {value, time}, or null.
+  read(topic, within = 2) {
+    const found = this.latest(topic, within);
+    return found && { value: this.parse(found.part), time: found.time };
+  }
+}

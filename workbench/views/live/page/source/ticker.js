@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Draws what changed: each subscriber is called at most once an interval, on a frame of the display, after a change.
+import { useEffect, useRef, useState } from "preact/hooks";
+
+const subscribers = new Set();
+let version = 0;
+let scheduled = 0;
+
+/// Marks that something changed that panels show.
+export function changed() {
+  ++version;
+  if (!scheduled) scheduled = requestAnimationFrame(run);
+}
+
+function run(now) {
+  scheduled = 0;
+  let late = false;
+  for (const subscriber of subscribers) {
+    if (subscriber.seen === version) continue;
+    if (now - subscriber.last < subscriber.interval - 4) {
+      late = true;
+      continue;
+    }
+    subscriber.seen = version;
+    subscriber.last = now;
+    subscriber.call(now);
+  }
+  if (late && !scheduled) scheduled = requestAnimationFrame(run);
+}
+
+/// Calls `call` after changes, at most once in `interval` ms. Returns a function that ends this.
+export function onChange(interval, call) {
+  const subscriber = { interval, call, last: -1e9, seen: -1 };
+  subscribers.add(subscriber);
+  changed();
+  return () => subscribers.delete(subscriber);
+}
+
+/// Renders a component again after changes, at most once in `interval` ms.
+export function useChanges(interval) {
+  const [, render] = useState(0);
+  const count = useRef(0);
+  useEffect(() => onChange(interval, () => render(++count.current)), [interval]);
+}
