@@ -26,10 +26,12 @@ const TYPES = {
   css: "text/css; charset=utf-8",
 };
 const STEP = 10; // ms
+const FRAME = 33_333_333n; // ns
 const NANOSECONDS = 1e6; // in a millisecond
 
 export class Robot {
-  /// `folder`: that of the built page; `speed`: times real time; `from`: s of the recording at which it starts.
+  /// `folder`: that of the built page; `speed`: times real time; `from`: s of the recording at which it starts; `loop`:
+  /// after the recording another run begins, otherwise the robot stands still.
   constructor({ recording, folder, parameters = [], speed = 1, from = 0, loop = true }) {
     Object.assign(this, { recording, folder, parameters, speed, from, loop });
     this.byName = new Map(parameters.map((it) => [it.name, { ...it }]));
@@ -201,6 +203,15 @@ export class Robot {
     socket.send(Buffer.concat([head, data]));
   }
 
+  /// Sends the last world again, with the present time.
+  standStill() {
+    if (this.now - (this.stoodAt ?? 0n) < FRAME) return;
+    this.stoodAt = this.now;
+    const { channel, data } = this.recording.messages.findLast((it) => this.topics.get(it.channel) === "/world");
+    for (const [socket, { subscriptions }] of this.clients)
+      if (subscriptions.has(channel)) this.send(socket, subscriptions.get(channel), this.now, data);
+  }
+
   advance() {
     const at = performance.now();
     this.now += BigInt(Math.round((at - this.last) * this.speed * NANOSECONDS));
@@ -213,7 +224,11 @@ export class Robot {
         if (subscriptions.has(message.channel))
           this.send(socket, subscriptions.get(message.channel), message.time, message.data);
     }
-    if (this.next < messages.length || !this.loop) return;
+    if (this.next < messages.length) return;
+    if (!this.loop) {
+      this.standStill();
+      return;
+    }
     ++this.session; // another run
     this.rewind();
     for (const socket of this.clients.keys()) socket.close();

@@ -33,12 +33,19 @@ export function ConnectionState() {
   useChanges(200);
   const { tone, text } = connectionText();
   const shown = store.shown();
+  const isSlow = link.drops > 0 && Date.now() - link.lastDrop < RECENT_DROPS;
   const isPaused = !store.isLive && link.state === "open";
   return (
     <span class={`connection ${isPaused ? "busy" : tone}`} role="status">
       <i class="lamp" />
       <b>{isPaused ? "View paused" : text}</b>
       {shown && <span class="value">{seconds(shown.time)}</span>}
+      {isPaused && <span class="soft value">robot at {seconds(store.newest, 0)}</span>}
+      {isSlow && (
+        <span class="badge" title="The robot left out messages, images first.">
+          slow connection, {link.drops}× dropped
+        </span>
+      )}
     </span>
   );
 }
@@ -52,11 +59,6 @@ export function Thought() {
 function Notices() {
   useChanges(500);
   const lines = [...link.notices.values()].map(({ level, message }) => ({ level, message }));
-  if (link.drops && Date.now() - link.lastDrop < RECENT_DROPS)
-    lines.push({
-      level: 1,
-      message: `The connection is too slow: the robot left out messages (reported ${link.drops} times).`,
-    });
   if (store.bad)
     lines.push({ level: 1, message: `${store.bad} messages could not be read; the last: ${store.badText}` });
   return lines.map(({ level, message }) => (

@@ -26,8 +26,13 @@ function move(event, direction) {
   else store.step(direction);
 }
 
-function focusSoon(selector) {
-  setTimeout(() => document.querySelector(selector)?.focus(), 50);
+/// Focuses an element once it is drawn.
+function focusSoon(selector, attempts = 10) {
+  requestAnimationFrame(() => {
+    const element = document.querySelector(selector);
+    if (element) element.focus();
+    else if (attempts > 0) focusSoon(selector, attempts - 1);
+  });
 }
 
 /// `actions`: help(), close().

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The parameters of the robot: values, what is known about them, changes from this page, and undo.
 
+const isSame = (some, other) =>
+  some === other || (typeof some === "number" && Math.abs(some - other) <= 1e-6 * Math.abs(some)); // stored as a float
+
 export class Parameters {
-  constructor(onChange = () => {}) {
+  constructor(onChange = () => {}, onEdit = onChange) {
     this.onChange = onChange;
+    this.onEdit = onEdit;
     this.all = new Map(); // name: {name, value, default, min, max, unit, description, origin}
     this.start = new Map(); // name: value when the run was first seen
     this.undos = []; // {name, value}: values before changes of this page
-    this.pending = new Map(); // name: {value, last}: sent and not yet answered
+    this.pending = new Map(); // name: {id, value}: sent last, and not yet answered
     this.refusals = new Map(); // name: text
     this.session = null;
   }
@@ -20,21 +24,28 @@ export class Parameters {
     this.start.clear();
     this.undos = [];
     this.refusals.clear();
+    this.pending.clear();
     this.onChange();
   }
 
-  /// Takes descriptions and values, from the service parameter_list or from parameterValues.
-  take(list) {
+  /// Takes descriptions and values, from the service parameter_list or from parameterValues. `id`: that of the message
+  /// that they answer. An answer to an older message than the last one does not move a slider back.
+  take(list, id) {
     for (const parameter of list) {
       if (typeof parameter?.name !== "string") continue;
+      const sent = this.pending.get(parameter.name);
+      if (sent && sent.id !== id) continue;
       const known = this.all.get(parameter.name) ?? { name: parameter.name };
       this.all.set(parameter.name, { ...known, ...parameter });
       if (!this.start.has(parameter.name)) this.start.set(parameter.name, parameter.value);
-      const sent = this.pending.get(parameter.name);
-      if (sent === undefined) continue;
+      if (!sent) continue;
       this.pending.delete(parameter.name);
-      if (sent === parameter.value) this.refusals.delete(parameter.name);
-      else this.refusals.set(parameter.name, `The robot kept ${parameter.value} instead of ${sent}.`);
+      if (isSame(sent.value, parameter.value)) {
+        this.refusals.delete(parameter.name);
+        this.all.get(parameter.name).origin = "this page";
+      } else {
+        this.refusals.set(parameter.name, `The robot uses ${parameter.value} instead of ${sent.value}.`);
+      }
     }
     this.onChange();
   }
@@ -62,8 +73,8 @@ export class Parameters {
       if (!(last && last.name === name && last.open)) this.undos.push({ name, value: before, open: true });
     }
     this.all.set(name, { ...this.all.get(name), value });
-    this.pending.set(name, value);
-    this.onChange();
+    this.pending.set(name, { id, value });
+    this.onEdit();
     return { op: "setParameters", parameters: [{ name, value }], id };
   }
 
@@ -75,7 +86,7 @@ export class Parameters {
 
   takeUndo() {
     const undo = this.undos.pop();
-    this.onChange();
+    this.onEdit();
     return undo;
   }
 
@@ -86,7 +97,7 @@ export class Parameters {
 
   differs(parameter, key) {
     const other = key === "default" ? parameter.default : this.start.get(parameter.name);
-    return other !== undefined && other !== parameter.value;
+    return other !== undefined && !isSame(other, parameter.value);
   }
 }
 

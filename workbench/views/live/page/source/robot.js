@@ -3,18 +3,17 @@
 import { Connection } from "./connection.js";
 import { Parameters, thresholds } from "./parameters.js";
 import { Store, TOPICS } from "./store.js";
-import { changed } from "./ticker.js";
+import { changed, changedByUser } from "./ticker.js";
 
 const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
 
-export const store = new Store(changed);
-export const parameters = new Parameters(changed);
+export const store = new Store(changed, changedByUser);
+export const parameters = new Parameters(changed, changedByUser);
 
 /// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports.
 export const link = {
   state: "connecting",
   since: Date.now(),
-  name: "",
   drops: 0,
   lastDrop: 0,
   notices: new Map(),
@@ -36,7 +35,7 @@ const listeners = {
     subscribed = false;
   },
   server(info) {
-    link.name = info.name;
+    document.title = info.name;
     link.notices.clear();
     if (session !== null && info.sessionId !== session) store.clear();
     session = info.sessionId;
@@ -51,9 +50,8 @@ const listeners = {
     store.receive(topic, time, payload);
     if (topic === "/parameters") parameters.takeTexts(store.lasting.get(topic)?.parameters ?? []);
   },
-  parameters({ parameters: list }) {
-    parameters.take(list);
-    // With no names: updates of all parameters.
+  parameters({ parameters: list, id }) {
+    parameters.take(list, id);
     if (!subscribed && connection.has("parametersSubscribe")) {
       connection.send({ op: "subscribeParameterUpdates", parameterNames: list.map((it) => it.name) });
       subscribed = true;

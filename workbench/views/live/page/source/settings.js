@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page remembers between visits: layout, layers, theme, pinned values. Kept in localStorage if it is
 // available.
-import { changed } from "./ticker.js";
+import { changedByUser } from "./ticker.js";
 
 const KEY = "reorient.live.1";
 
@@ -64,7 +64,7 @@ export function set(change) {
   } catch {
     // The page works without storage.
   }
-  changed();
+  changedByUser();
 }
 
 export function reset() {

@@ -52,8 +52,9 @@ export function eventOf(time, message) {
 }
 
 export class Store {
-  constructor(onChange = () => {}, budget = BUDGET) {
+  constructor(onChange = () => {}, onShow = onChange, budget = BUDGET) {
     this.onChange = onChange;
+    this.onShow = onShow;
     this.budget = budget;
     this.dropped = 0; // times that the robot dropped messages because the connection is slow
     this.bad = 0; // messages that could not be read
@@ -215,7 +216,7 @@ export class Store {
   show(time) {
     this.instant =
       time === null || !this.frames.length ? null : Math.min(Math.max(time, this.frames[0].time), this.newest);
-    this.onChange();
+    this.onShow();
   }
 
   /// Shows the frame `count` after the shown one.

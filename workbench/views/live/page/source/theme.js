@@ -2,7 +2,7 @@
 // Light or dark: follows the system, or the choice of the user.
 import { forgetThemeColors } from "./draw/palette.js";
 import { set, settings } from "./settings.js";
-import { changed } from "./ticker.js";
+import { changedByUser } from "./ticker.js";
 
 const system = matchMedia("(prefers-color-scheme: dark)");
 
@@ -14,7 +14,7 @@ export function applyTheme() {
   document.documentElement.dataset.theme = theme.isDark ? "dark" : "light";
   ++theme.version;
   forgetThemeColors();
-  changed();
+  changedByUser();
 }
 
 /// The next of: as the system, light, dark.

@@ -5,19 +5,32 @@ import { useEffect, useRef, useState } from "preact/hooks";
 const subscribers = new Set();
 let version = 0;
 let scheduled = 0;
+let urgent = false;
 
 /// Marks that something changed that panels show.
 export function changed() {
   ++version;
+  schedule();
+}
+
+/// The same for what the user did: everything is drawn on the next frame of the display.
+export function changedByUser() {
+  urgent = true;
+  changed();
+}
+
+function schedule() {
   if (!scheduled) scheduled = requestAnimationFrame(run);
 }
 
 function run(now) {
   scheduled = 0;
   let late = false;
+  const isUrgent = urgent;
+  urgent = false;
   for (const subscriber of subscribers) {
     if (subscriber.seen === version) continue;
-    if (now - subscriber.last < subscriber.interval - 4) {
+    if (!isUrgent && now - subscriber.last < subscriber.interval - 4) {
       late = true;
       continue;
     }
@@ -25,7 +38,7 @@ function run(now) {
     subscriber.last = now;
     subscriber.call(now);
   }
-  if (late && !scheduled) scheduled = requestAnimationFrame(run);
+  if (late) schedule();
 }
 
 /// Calls `call` after changes, at most once in `interval` ms. Returns a function that ends this.

@@ -10,7 +10,7 @@ import { drawRing } from "../draw/wall.js";
 import { degrees, meters } from "../format.js";
 import { store } from "../robot.js";
 import { set, settings } from "../settings.js";
-import { changed, useChanges } from "../ticker.js";
+import { changedByUser, useChanges } from "../ticker.js";
 
 const LAYERS = [
   ["belief", "belief", palette.belief],
@@ -47,7 +47,7 @@ export function drawField(context, width, height, layers) {
 
 function numbersAt(plan, picked) {
   const frame = store.shown();
-  if (!frame?.pose) return [];
+  if (!frame?.pose) return [`Point: x ${meters(picked.x)}, y ${meters(picked.y)}`];
   const poses = [
     ["Believed pose", frame.pose],
     ["Mirrored pose", mirrored(frame.pose)],
@@ -73,7 +73,7 @@ function Numbers({ plan, picked }) {
         aria-label="Close the numbers"
         onClick={() => {
           picked.current = null;
-          changed();
+          changedByUser();
         }}
       >
         ×
@@ -96,7 +96,7 @@ function Field() {
   const pick = (u, v) => {
     const [x, y] = plan.current.meters(u, v);
     picked.current = { x, y };
-    changed();
+    changedByUser();
   };
   return (
     <div class="fill column">

@@ -149,11 +149,12 @@ function ParametersPanel() {
   const disabled = !canSetParameters();
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
   const accepts = FILTERS.find(([id]) => id === filter)[2];
+  const isNamed = (it) => words.every((word) => it.name.includes(word));
   const found = [...parameters.all.values()]
     .filter(
       (it) => accepts(it) && words.every((word) => `${it.name} ${it.description ?? ""}`.toLowerCase().includes(word)),
     )
-    .sort((a, b) => (a.name < b.name ? -1 : 1));
+    .sort((a, b) => isNamed(b) - isNamed(a) || (a.name < b.name ? -1 : 1));
   const last = parameters.undos.at(-1);
   return (
     <div class="fill column">

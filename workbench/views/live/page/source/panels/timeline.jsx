@@ -11,7 +11,7 @@ import { fixed, seconds } from "../format.js";
 import { limits, store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { theme } from "../theme.js";
-import { changed, onChange, useChanges } from "../ticker.js";
+import { changedByUser, onChange, useChanges } from "../ticker.js";
 
 const SPANS = [
   [15, "15 s"],
@@ -23,8 +23,8 @@ const NEAR = 7; // pixels from a mark
 const LEAST = 10; // s, the shortest time axis while there is less data
 const DRAG = 4; // pixels after which a press is a drag
 
-/// end: s of the right edge while an instant is shown; hover: s below the pointer, or null.
-const view = { end: null, hover: null };
+/// end: s of the right edge; pointer: its position from 0 to 1 along the axis, or null; width: pixels of the axis.
+const view = { end: null, pointer: null, width: 1 };
 
 function range() {
   if (store.isLive || view.end === null) view.end = store.newest;
@@ -38,6 +38,13 @@ function range() {
   return [Math.max(view.end - settings.span, Math.min(oldest, view.end - LEAST)), view.end];
 }
 
+/// The time below the pointer, or null.
+function hovered() {
+  if (view.pointer === null) return null;
+  const [from, to] = range();
+  return from + view.pointer * (to - from);
+}
+
 /// What the store still has of a frame, as a sentence.
 function contentsOf(frame) {
   if (!frame) return "";
@@ -48,23 +55,24 @@ function contentsOf(frame) {
   ]
     .filter(([topic]) => !has(topic))
     .map(([, name]) => name);
-  if (!missing.length) return "complete";
+  if (!missing.length) return "";
   const why = frame.thinned ? "dropped to save memory" : "not received";
   return `no ${missing.join(", no ")} of this frame (${why})`;
 }
 
 function Readout() {
   useChanges(100);
-  const time = view.hover ?? store.shown()?.time;
+  const hover = hovered();
+  const time = hover ?? store.shown()?.time;
   if (time === undefined) return <span class="readout">No data yet.</span>;
   const frame = store.frames[Math.max(0, store.indexAt(time))];
   const state = (name) => store.bands.get(name)?.findLast((entry) => entry.time <= time + 1e-6)?.value;
   const [from, to] = range();
   const mark =
-    view.hover !== null &&
-    marksOf(store).findLast((it) => Math.abs(it.time - time) < (NEAR * (to - from)) / view.width);
+    hover !== null && marksOf(store).findLast((it) => Math.abs(it.time - time) < (NEAR * (to - from)) / view.width);
   const parts = [
     ["", seconds(time)],
+    ...(hover === null && !store.isLive && contentsOf(frame) ? [["", contentsOf(frame)]] : []),
     ["evidence", fixed(frame?.evidence, 1)],
     ["current", fixed(frame?.current, 2)],
     ["opposite", fixed(frame?.opposite, 2)],
@@ -82,12 +90,11 @@ function Readout() {
         </>
       ) : (
         parts.map(([name, value]) => (
-          <span key={name}>
+          <span key={name + value}>
             {name} <b>{value}</b>
           </span>
         ))
       )}
-      {!mark && view.hover === null && !store.isLive && <span class="soft">{contentsOf(frame)}</span>}
     </span>
   );
 }
@@ -104,7 +111,8 @@ function drawCursor(context, width, height) {
   };
   for (const event of store.events)
     if (event.kind === "command" && event.granted) line(event.time, themeColor("good-soft"), 1);
-  if (view.hover !== null) line(view.hover, themeColor("soft"), 1);
+  const hover = hovered();
+  if (hover !== null) line(hover, themeColor("soft"), 1);
   if (!store.isLive) {
     line(store.instant, themeColor("ink"), 2);
     if (store.instant < from || store.instant > to) return;
@@ -117,11 +125,11 @@ function drawCursor(context, width, height) {
   }
 }
 
-function timeAt(event) {
+function follow(event) {
   const box = event.currentTarget.getBoundingClientRect();
   const fraction = (event.clientX - box.left - GUTTER) / (box.width - GUTTER - RIGHT);
-  const [from, to] = range();
-  return from + Math.min(1, Math.max(0, fraction)) * (to - from);
+  view.pointer = Math.min(1, Math.max(0, fraction));
+  changedByUser();
 }
 
 /// A mark near a time, so that a click on it shows its exact frame.
@@ -141,28 +149,28 @@ function usePointer() {
     onPointerDown(event) {
       if (!store.frames.length) return;
       event.currentTarget.setPointerCapture(event.pointerId);
-      press.current = { x: event.clientX, end: range()[1], dragged: false };
+      press.current = { x: event.clientX, dragged: false };
     },
     onPointerMove(event) {
-      view.hover = timeAt(event);
+      follow(event);
       const start = press.current;
       if (start && (start.dragged || Math.abs(event.clientX - start.x) > DRAG)) {
-        if (store.isLive) store.show(view.hover);
         start.dragged = true;
-        store.show(view.hover); // a drag moves the shown instant
+        store.show(hovered()); // a drag moves the shown instant
       }
-      changed();
     },
     onPointerUp(event) {
-      if (press.current && !press.current.dragged) store.show(snapped(timeAt(event)));
+      follow(event);
+      if (press.current && !press.current.dragged) store.show(snapped(hovered()));
+      if (event.pointerType === "touch") view.pointer = null;
       press.current = null;
     },
     onPointerCancel() {
       press.current = null;
     },
     onPointerLeave() {
-      view.hover = null;
-      changed();
+      view.pointer = null;
+      changedByUser();
     },
     onWheel(event) {
       event.preventDefault();
@@ -170,10 +178,11 @@ function usePointer() {
         const amount = ((event.deltaX || event.deltaY) / Math.max(1, view.width)) * settings.span;
         if (store.isLive) store.show(store.newest);
         view.end = Math.min(store.newest, view.end + amount);
-        changed();
+        changedByUser();
         return;
       }
-      const at = timeAt(event);
+      follow(event);
+      const at = hovered();
       const [from, to] = range();
       const span = Math.min(600, Math.max(3, settings.span * Math.exp(event.deltaY / 500)));
       if (!store.isLive)

@@ -10,6 +10,7 @@ import { limits, store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { useChanges } from "../ticker.js";
 
+const LEAST_RING = 150; // pixels, below which the ring is too small to read
 const DIRECTIONS = [
   [180, "own goal"],
   [90, "left"],
@@ -34,7 +35,8 @@ function marker(context, u, top, bottom, color, name, side) {
   context.font = "600 11px system-ui, sans-serif";
   context.textBaseline = "bottom";
   context.textAlign = side;
-  context.fillText(name, u + (side === "left" ? -6 : 6), top - 4);
+  const edge = side === "left" ? Math.max(2, u - 6) : u + 6;
+  context.fillText(name, edge, top - 4);
 }
 
 function drawStrip(context, scene, frame, width, height) {
@@ -74,7 +76,7 @@ function drawStrip(context, scene, frame, width, height) {
   if (!frame?.pose) return;
   const seen = at(sightOnWall(frame.pose, frame.headYaw, radius));
   const other = at(sightOnWall(mirrored(frame.pose), frame.headYaw, radius));
-  marker(context, other, above, base, palette.opposite, "view if mirrored", other < width / 2 ? "left" : "right");
+  marker(context, other, above, base, themeColor("red"), "view if mirrored", other < width / 2 ? "left" : "right");
   marker(context, seen, above, base, themeColor("belief"), "believed view", seen < width / 2 ? "left" : "right");
 }
 
@@ -113,7 +115,7 @@ function drawWallRing(context, scene, frame, width, height) {
 export function drawWall(context, width, height, form) {
   const found = store.read("/wall", 60);
   if (!found) return drawNote(context, "The robot has not learned any colors of the room yet.", width, height);
-  const draw = form === "ring" ? drawWallRing : drawStrip;
+  const draw = form === "ring" && height > LEAST_RING ? drawWallRing : drawStrip;
   // The belief of the view belongs to the frame of the wall, and so do the views that it is compared with.
   const frame = store.frames[store.indexAt(found.time)];
   return draw(context, sceneOf(found.value), frame, width, height);
@@ -153,7 +155,7 @@ function WallPanel() {
     <div class="fill column">
       <div class="row tight">
         <EvidenceBar />
-        <button class="chip" onClick={() => set({ wall: other })}>
+        <button class="chip ring-chip" onClick={() => set({ wall: other })}>
           Show as {other}
         </button>
       </div>

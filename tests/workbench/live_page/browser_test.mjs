@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// browser_test.mjs RECORDING PARAMETERS: uses the page in chromium (CHROMIUM) while the stand-in for the robot replays
+// a recording. Each test waits until something is seen, never for a fixed time.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+import { load } from "../../../workbench/views/live/page/dev/packages.mjs";
+import { parseParameters, readRecording } from "../../../workbench/views/live/page/dev/recording.mjs";
+import { Robot } from "../../../workbench/views/live/page/dev/robot.mjs";
+
+const { chromium } = load("playwright-core");
+const [file, parametersFile] = process.argv.slice(2);
+const folder = join(dirname(fileURLToPath(import.meta.url)), "../../../workbench/views/live/page/built");
+const PATIENCE = 30_000; // ms, on a slow machine
+
+let browser, page, robot;
+const messages = []; // of the console
+
+before(async () => {
+  const recording = await readRecording(file);
+  const parameters = parseParameters(readFileSync(parametersFile, "utf8"));
+  robot = new Robot({ recording, folder, parameters, from: 38, loop: false });
+  await robot.start();
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+  page = await open({ viewport: { width: 1366, height: 768 } });
+});
+after(async () => {
+  await browser?.close();
+  await robot?.stop();
+});
+
+/// A page that collects errors of the console, those of the Content-Security-Policy among them.
+async function open(options, path = "") {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(PATIENCE);
+  const opened = await context.newPage();
+  opened.on("console", (message) => {
+    const isOfTest = message.text().includes("willReadFrequently"); // untilDrawn reads canvases
+    if (["error", "warning"].includes(message.type()) && !isOfTest) messages.push(message.text());
+  });
+  opened.on("pageerror", (error) => messages.push(`${error.message}\n${error.stack}`));
+  await opened.goto(`http://127.0.0.1:${robot.port}/${path}`);
+  return opened;
+}
+
+/// Waits until a function is true in the page.
+const until = (condition, argument) => page.waitForFunction(condition, argument, { timeout: PATIENCE });
+
+/// Waits until a canvas has more colors than a number.
+const untilDrawn = (selector, colors, of = page) =>
+  of.waitForFunction(
+    ([where, least]) => {
+      const canvas = document.querySelector(where);
+      if (!canvas?.width) return false;
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size > least;
+    },
+    [selector, colors],
+    { timeout: PATIENCE },
+  );
+
+const untilReceived = async (matches) => {
+  const end = Date.now() + PATIENCE;
+  while (Date.now() < end) {
+    const found = robot.received.find(matches);
+    if (found) return found;
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  return assert.fail(`expected a message, found ${JSON.stringify(robot.received.slice(-5))}`);
+};
+
+const shownTime = () => page.locator(".connection .value").first().innerText();
+
+test("every panel shows data", async () => {
+  await untilDrawn("[data-panel=field] canvas", 100);
+  await untilDrawn("[data-panel=cameras] canvas", 1000);
+  await untilDrawn("[data-panel=wall] .stage canvas", 30);
+  await untilDrawn("[data-panel=timeline] .bands canvas", 20);
+  await untilDrawn("[data-panel=timeline] .uplot canvas", 10);
+  for (const [key, panel, row] of [
+    ["4", "behaviors", ".machine"],
+    ["5", "parameters", ".parameter"],
+    ["6", "world", ".values tr"],
+  ]) {
+    await page.keyboard.press(key);
+    await page.locator(`[data-panel=${panel}] ${row}`).nth(4).waitFor();
+  }
+  await page.keyboard.press("7");
+  robot.log(3, "head_scan", "a line of the test");
+  await page.getByText("a line of the test").waitFor();
+  await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
+});
+
+test("the flip of the recording is a transition with its reason, and its instant a sentence", async () => {
+  await page.keyboard.press("4");
+  await page.locator(".machine .name", { hasText: /^orientation$/ }).click();
+  const flip = page.locator(".events li", { hasText: "flip_pose granted" }).first();
+  assert.match(await flip.innerText(), /the mirrored pose won/);
+  await flip.locator(".time").click();
+  await page.getByText("The robot noticed that its believed pose was mirrored").waitFor();
+  await page.keyboard.press("l");
+});
+
+test("a slider sends setParameters, and undo sets the value before", async () => {
+  await page.keyboard.press("5");
+  await page.locator("[data-panel=parameters] input[type=search]").fill("orientation.hold_time");
+  const slider = page.locator('input[aria-label="orientation.hold_time as a slider"]');
+  await slider.focus();
+  await slider.press("End");
+  const sent = await untilReceived((it) => it.op === "setParameters");
+  assert.deepEqual(sent.parameters, [{ name: "orientation.hold_time", value: 10 }]);
+  const box = page.locator('input[aria-label="orientation.hold_time"]');
+  await until(() => document.querySelector(".facts").textContent.includes("from this page"));
+  assert.equal(await box.inputValue(), "10");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await untilReceived((it) => it.op === "setParameters" && it.parameters[0].value === 0.2);
+});
+
+test("a value that the robot refuses returns to the one in force, with a text", async () => {
+  const box = page.locator('input[aria-label="orientation.hold_time"]');
+  await box.fill("99");
+  await box.press("Enter");
+  await page.getByText("The robot uses 0.2 instead of 99.").waitFor();
+  assert.equal(await box.inputValue(), "0.2");
+  await page.keyboard.press("Escape");
+});
+
+test("a note reaches the robot and is a mark with its time", async () => {
+  await page.keyboard.press("n");
+  await page.locator("#note").waitFor();
+  await until(() => document.activeElement?.id === "note");
+  await page.keyboard.type("the lamp was switched on");
+  await page.keyboard.press("Enter");
+  const sent = await untilReceived((it) => it.op === "service" && it.name === "note");
+  assert.equal(sent.request.text, "the lamp was switched on");
+  await page.locator("[data-panel=notes] li", { hasText: "the lamp was switched on" }).waitFor();
+  await page.keyboard.press("Escape");
+});
+
+test("a click on the timeline shows that instant in every panel while the robot continues", async () => {
+  const box = await page.locator(".tracks").boundingBox();
+  await page.mouse.click(box.x + 0.8 * box.width, box.y + 60);
+  await page.getByText("View paused").waitFor();
+  const time = await shownTime();
+  await until((shown) => document.querySelector("figcaption").textContent.includes(shown), time);
+  await page.keyboard.press("6");
+  const clock = page.locator(".values tr", { hasText: "clock.time" }).locator(".value");
+  assert.ok(Number.isFinite(Number(await clock.innerText())));
+  const robotTime = () => page.locator(".connection .soft").innerText();
+  const then = await robotTime();
+  await until((text) => document.querySelector(".connection .soft").textContent !== text, then);
+  assert.equal(await shownTime(), time);
+});
+
+test("keys step by frames and seconds, and return to live", async () => {
+  const isEarlier = ([time, least, most]) => {
+    const step = time - Number.parseFloat(document.querySelector(".connection .value").textContent);
+    return step >= least && step <= most;
+  };
+  const time = Number.parseFloat(await shownTime());
+  await page.keyboard.press("ArrowLeft");
+  await until(isEarlier, [time, 0.02, 0.2]);
+  await page.keyboard.press("Shift+ArrowLeft");
+  await until(isEarlier, [time, 1, 1.4]);
+  await page.keyboard.press("l");
+  await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
+  await page.keyboard.press("?");
+  await page.locator("dialog[open]").waitFor();
+  await page.keyboard.press("Escape");
+  await page.locator("dialog").waitFor({ state: "detached" });
+});
+
+test("a click on the field shows numbers", async () => {
+  await page.locator("[data-panel=field] canvas").click({ position: { x: 200, y: 150 } });
+  assert.match(await page.locator(".numbers").innerText(), /x −?\d+\.\d\d m, y −?\d+\.\d\d m/);
+});
+
+test("drops that the robot reports are shown", async () => {
+  robot.report(1, "Send buffer limit reached");
+  await page.getByText("slow connection, 1× dropped").waitFor();
+  robot.report(2, "the recorder has stopped");
+  await page.getByText("the recorder has stopped").waitFor();
+});
+
+test("damaged messages of the robot are reported, and the page continues", async () => {
+  for (const socket of robot.clients.keys()) {
+    socket.send("{");
+    socket.send(JSON.stringify({ op: "an operation of a later version" }));
+    socket.send(Buffer.from([1, 2, 3]));
+    socket.send(Buffer.alloc(0));
+    socket.send(JSON.stringify({ op: "parameterValues", parameters: [{}, null] }));
+    socket.send(JSON.stringify({ op: "unadvertiseServices", serviceIds: [3] }));
+  }
+  await page.getByText("3 messages could not be read").waitFor();
+  await page.keyboard.press("8");
+  await page.locator("#note").waitFor({ state: "detached" }); // the service was removed
+  const time = await shownTime();
+  await until((was) => document.querySelector(".connection .value").textContent !== was, time);
+});
+
+test("layers and layout survive that the page is loaded again", async () => {
+  await page.getByRole("button", { name: "particles" }).click();
+  await page.locator("[data-panel=wall] .move").selectOption("left");
+  await page.locator("[data-area=left][data-panel=wall]").waitFor();
+  await page.reload();
+  await page.locator("[data-area=left][data-panel=wall]").waitFor();
+  await page.keyboard.press("1");
+  assert.equal(await page.getByRole("button", { name: "particles" }).getAttribute("aria-pressed"), "false");
+  await page.locator("summary").click();
+  await page.getByRole("button", { name: "Reset the layout" }).click();
+  await page.locator("[data-area=below][data-panel=wall]").waitFor();
+  await page.locator("summary").click();
+});
+
+test("no message of the console is a warning or an error", () => {
+  assert.deepEqual(messages, []);
+});
+
+test("the page says that the robot is gone, keeps its data, and connects again by itself", async () => {
+  await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
+  robot.note("before the robot was gone");
+  await page.keyboard.press("8");
+  const note = page.locator("[data-panel=notes] li", { hasText: "before the robot was gone" });
+  await note.waitFor();
+  await robot.stop();
+  await page.getByText("The robot is gone for").waitFor();
+  await robot.start(robot.port);
+  await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
+  const time = await shownTime();
+  await until((was) => document.querySelector(".connection .value").textContent !== was, time);
+  assert.equal(await note.count(), 1);
+});
+
+test("the data of another run replaces that of the one before", async () => {
+  const note = page.locator("[data-panel=notes] li", { hasText: "before the robot was gone" });
+  assert.equal(await note.count(), 1);
+  ++robot.session;
+  await robot.stop();
+  robot.rewind();
+  await robot.start(robot.port);
+  await note.waitFor({ state: "detached" });
+  await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
+});
+
+test("the audience sees field, wall and one sentence, and can change nothing", async () => {
+  for (const path of ["audience", "#audience"]) {
+    const audience = await open({ viewport: { width: 1280, height: 720 } }, path);
+    await untilDrawn(".audience canvas", 100, audience);
+    await audience.waitForFunction(() => document.querySelector(".thought").textContent.startsWith("The r"));
+    assert.equal(await audience.locator(".audience button, .audience input, .audience select").count(), 0);
+    await audience.close();
+  }
+});
+
+test("a phone shows every area without a horizontal scroll bar", async () => {
+  const phone = await open({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  await untilDrawn("[data-panel=field] canvas", 100, phone);
+  assert.equal(await phone.locator(".area").count(), 5);
+  assert.equal(await phone.evaluate(() => document.documentElement.scrollWidth), 390);
+  await phone.close();
+});

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The parameters of the page: answers of the robot, undo, differences and thresholds.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Parameters, thresholds } from "../../../workbench/views/live/page/source/parameters.js";
+import { thought } from "../../../workbench/views/live/page/source/sentence.js";
+import { Store } from "../../../workbench/views/live/page/source/store.js";
+
+const HOLD = { name: "orientation.hold_time", value: 0.2, default: 0.2, min: 0, max: 10, unit: "s" };
+
+function one() {
+  const parameters = new Parameters();
+  parameters.take([HOLD]);
+  return parameters;
+}
+const value = (parameters) => parameters.all.get(HOLD.name).value;
+
+test("a change is shown at once and sent with its id", () => {
+  const parameters = one();
+  const message = parameters.change(HOLD.name, 2, "set-1");
+  assert.deepEqual(message, { op: "setParameters", parameters: [{ name: HOLD.name, value: 2 }], id: "set-1" });
+  assert.equal(value(parameters), 2);
+});
+
+test("a refused value returns to the one in force, with a text", () => {
+  const parameters = one();
+  parameters.change(HOLD.name, 99, "set-1");
+  parameters.take([{ name: HOLD.name, value: 0.2 }], "set-1");
+  assert.equal(value(parameters), 0.2);
+  assert.match(parameters.refusals.get(HOLD.name), /uses 0\.2 instead of 99/);
+  parameters.change(HOLD.name, 1, "set-2");
+  parameters.take([{ name: HOLD.name, value: 1 }], "set-2");
+  assert.equal(parameters.refusals.size, 0);
+});
+
+test("an answer to an older message does not move a slider back", () => {
+  const parameters = one();
+  parameters.change(HOLD.name, 1, "set-1");
+  parameters.change(HOLD.name, 2, "set-2");
+  parameters.take([{ name: HOLD.name, value: 1 }], "set-1");
+  assert.equal(value(parameters), 2);
+  parameters.take([{ name: HOLD.name, value: 2 }], "set-2");
+  assert.equal(parameters.refusals.size, 0);
+});
+
+test("a float of the robot is the same value", () => {
+  const parameters = one();
+  parameters.change(HOLD.name, 0.3, "set-1");
+  parameters.take([{ name: HOLD.name, value: Math.fround(0.3) }], "set-1");
+  assert.equal(parameters.refusals.size, 0);
+});
+
+test("undo returns to the value before a slider was moved", () => {
+  const parameters = one();
+  for (const step of [1, 2, 3]) parameters.change(HOLD.name, step, `set-${step}`);
+  parameters.settle();
+  parameters.change(HOLD.name, 4, "set-4");
+  assert.deepEqual(parameters.takeUndo().value, 3);
+  assert.deepEqual(parameters.takeUndo().value, 0.2);
+  assert.equal(parameters.takeUndo(), undefined);
+});
+
+test("differences are to the default and to the start of the run", () => {
+  const parameters = new Parameters();
+  parameters.begin("run 1");
+  parameters.take([{ ...HOLD, value: 1 }]);
+  assert.equal(parameters.differing("default").length, 1);
+  assert.equal(parameters.differing("start").length, 0);
+  parameters.change(HOLD.name, 0.2, "set-1");
+  assert.equal(parameters.differing("default").length, 0);
+  assert.equal(parameters.differing("start").length, 1);
+  parameters.begin("run 2");
+  assert.equal(parameters.all.size, 0);
+});
+
+test("texts of the topic do not replace values of the service", () => {
+  const parameters = one();
+  parameters.takeTexts([
+    { name: HOLD.name, value: "7", unit: "s" },
+    { name: "a.flag", value: "true", unit: "" },
+  ]);
+  assert.equal(value(parameters), 0.2);
+  assert.equal(parameters.all.get("a.flag").value, true);
+});
+
+test("entries that are no parameters are ignored", () => {
+  const parameters = one();
+  parameters.take([null, 3, {}, { name: 4 }]);
+  assert.equal(parameters.all.size, 1);
+});
+
+test("thresholds are those of the script library, and missing without its parameters", () => {
+  const parameters = one();
+  assert.equal(thresholds(parameters), null);
+  parameters.take(
+    Object.entries({ false_flips: 0.02, looks: 240, disturbances: 5, least: 2 }).map(([name, value]) => ({
+      name: `decision.${name}`,
+      value,
+    })),
+  );
+  assert.ok(Math.abs(thresholds(parameters).confirmed - Math.log(12000)) < 1e-9);
+  assert.ok(Math.abs(thresholds(parameters).unconfirmed - Math.log(250)) < 1e-9);
+});
+
+test("the sentence names the mirrored pose, a flip, and the end of doubt", () => {
+  const store = new Store();
+  const say = (time, evidence, more = {}) => {
+    const world = {
+      pose: { known: true },
+      confidence: { evidence, status: "usable", ...more },
+      robot: { posture: more.posture ?? "upright" },
+    };
+    store.receive("/world", time * 1e6, new TextEncoder().encode(JSON.stringify(world)));
+    return thought(store, { unconfirmed: 5.5 });
+  };
+  assert.match(thought(store, null).text, /not sent anything/);
+  assert.equal(say(1, 0).tone, "doubt");
+  store.show(1);
+  assert.equal(thought(store, null).tone, "doubt");
+  store.show(null);
+  say(2, 9);
+  assert.match(say(2.1, 9).text, /probably wrong/);
+  const flip = { machine: "orientation", state: "correcting", command: "flip_pose", verdict: "granted", reason: "r" };
+  store.receive("/events", 2.2e6, new TextEncoder().encode(JSON.stringify(flip)));
+  say(2.2, -9);
+  assert.match(say(2.3, -9).text, /was mirrored, and corrected it/);
+  say(20, -9);
+  assert.equal(say(20.1, -9).tone, "good");
+  say(21, -9, { posture: "lifted" });
+  assert.match(say(21.1, -9, { posture: "lifted" }).text, /lifted/);
+  say(22, undefined, { status: "a status of a later version" });
+  assert.equal(say(22.1, undefined, { status: "a status of a later version" }).tone, "doubt");
+});
