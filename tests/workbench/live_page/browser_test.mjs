@@ -7,7 +7,7 @@ import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { load } from "../../../workbench/views/live/page/dev/packages.mjs";
+import { load } from "../../../workbench/views/live/page/packages.mjs";
 import { parseParameters, readRecording } from "../../../workbench/views/live/page/dev/recording.mjs";
 import { Robot } from "../../../workbench/views/live/page/dev/robot.mjs";
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// build.mjs [FOLDER]: makes live.html, live.js and live.css from source/ into FOLDER (default: built/ beside this
-// file). The result depends only on the sources and on package-lock.json. NODE_FOLDER: the folder that contains
-// node_modules, if it is not beside this file.
+// build.mjs [FOLDER]: makes live.html, live.js and live.css from source/ into FOLDER (default: built/ beside this file).
+// The result depends only on the sources and on package-lock.json.
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
+import { load, packages } from "./packages.mjs";
+
 const here = dirname(fileURLToPath(import.meta.url));
-const packages = resolve(process.env.NODE_FOLDER ?? here, "node_modules");
 const out = resolve(process.argv[2] ?? join(here, "built"));
-const esbuild = createRequire(join(packages, "packages.js"))("esbuild");
+const esbuild = load("esbuild");
 
 /// Name, version and license text of a library whose code is in the result.
 function notice(name) {

@@ -2,7 +2,7 @@
 // Reads the messages for viewers from a recording.
 import { readFileSync } from "node:fs";
 
-import { load } from "./packages.mjs";
+import { load } from "../packages.mjs";
 
 const { McapIndexedReader } = load("@mcap/core");
 const { loadDecompressHandlers } = load("@mcap/support");

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
 
-import { load } from "./packages.mjs";
+import { load } from "../packages.mjs";
 
 const { WebSocketServer } = load("ws");
 

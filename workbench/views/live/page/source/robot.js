@@ -7,6 +7,8 @@ import { changed, changedByUser } from "./ticker.js";
 
 const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
 
+const SET = "set_parameters"; // a service
+
 export const store = new Store(changed, changedByUser);
 export const parameters = new Parameters(changed, changedByUser);
 
@@ -89,13 +91,26 @@ async function loadParameters() {
   }
 }
 
-export const canSetParameters = () => link.state === "open" && connection.has("parameters");
+export const canSetParameters = () => link.state === "open" && (connection.has("parameters") || canCall(SET));
 export const canCall = (service) => link.services.has(service);
 export const call = (service, value) => connection.call(service, value);
 
 /// Sends a value of a parameter. The answer contains the value that is in force.
 export function setParameter(name, value, undo = true) {
-  connection.send(parameters.change(name, value, `set-${nextId++}`, undo));
+  const id = `set-${nextId++}`;
+  const message = parameters.change(name, value, id, undo);
+  if (connection.has("parameters")) connection.send(message);
+  else callSetParameters(message.parameters, id);
+}
+
+/// For a robot that has the service instead of the capability.
+async function callSetParameters(list, id) {
+  try {
+    parameters.take((await connection.call(SET, { parameters: list })).parameters ?? list, id);
+  } catch (error) {
+    link.notices.set(SET, { level: 1, message: `The parameter was not set: ${error.message}` });
+    changed();
+  }
 }
 
 export function undoParameter() {

@@ -32,6 +32,7 @@ const LASTING = new Set(["/field", "/parameters", "/camera/upper/calibration", "
 const MICROSECOND = 1e-6;
 
 function binaryOf(base64) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64);
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);

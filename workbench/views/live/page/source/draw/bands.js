@@ -9,6 +9,7 @@ const AXIS = 19;
 const FONT = "11px system-ui, sans-serif";
 const HUES = [212, 160, 32, 276, 338, 96, 190, 250, 12, 60];
 const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300];
+const REORIENTATIONS = ["flip_pose", "purge_reflection", "reset_orientation"];
 const STATUS = { usable: "good", lost: "amber", fresh: "amber", unlearned: "blue" };
 
 /// The color of a state: the same name has the same color in every band.
@@ -52,13 +53,17 @@ function drawBand(context, band, row, range, x, isDark, isStatus) {
   }
 }
 
+/// Whether a command changes the pose; the others begin a pause.
+export const isReorientation = ({ command }) => REORIENTATIONS.includes(command);
+
 /// The marks of the timeline: {time, row, kind, text}.
 export function marksOf(store) {
   const marks = [];
   for (const event of store.events) {
     if (event.kind === "command") {
       const text = `${event.command} ${event.verdict} (${event.machine}: ${event.reason})`;
-      marks.push({ time: event.time, row: 0, kind: event.granted ? "granted" : "refused", text });
+      const granted = isReorientation(event) ? "granted" : "pause";
+      marks.push({ time: event.time, row: 0, kind: event.granted ? granted : "refused", text });
     } else if (event.kind === "note") {
       marks.push({ time: event.time, row: 1, kind: "note", text: `note: ${event.text}` });
     } else if (event.kind === "game") {
@@ -74,13 +79,16 @@ export function marksOf(store) {
   return marks;
 }
 
-const COLORS = { granted: "good", refused: "red", note: "amber", edit: "blue", fault: "red" };
+const COLORS = { granted: "good", pause: "gray", refused: "red", note: "amber", edit: "blue", fault: "red" };
 
 function drawMark(context, { kind }, u, v) {
   context.fillStyle = context.strokeStyle = themeColor(COLORS[kind]);
   context.lineWidth = 2;
   context.beginPath();
-  if (kind === "granted") {
+  if (kind === "pause") {
+    context.fillRect(u - 3.5, v - 4, 2.5, 8);
+    context.fillRect(u + 1, v - 4, 2.5, 8);
+  } else if (kind === "granted") {
     context.moveTo(u - 5.5, v + 5);
     context.lineTo(u + 5.5, v + 5);
     context.lineTo(u, v - 5.5);

@@ -44,7 +44,9 @@ export function fieldPlan(field, wall, width, height) {
     for (const { x, text } of scene.labels) {
       // On the border, beside the goal.
       const name = `${text} goal`;
-      const [u, v] = at(Math.sign(x) * (Math.abs(x) - 0.35), BESIDE_GOAL + context.measureText(name).width / 2 / scale);
+      const long = context.measureText(name).width / scale;
+      if (BESIDE_GOAL + long > extent(scene).y) continue;
+      const [u, v] = at(Math.sign(x) * (Math.abs(x) - 0.35), BESIDE_GOAL + long / 2);
       context.save();
       context.translate(u, v);
       if (!upright) context.rotate(x > 0 ? Math.PI / 2 : -Math.PI / 2);

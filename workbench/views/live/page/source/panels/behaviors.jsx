@@ -36,6 +36,8 @@ function faultOf(machine, until) {
   return null;
 }
 
+const placeOf = ({ file, line, name }) => (file ? `${file}:${line}` : name);
+
 export function EventText({ event }) {
   if (event.kind === "command")
     return (
@@ -77,7 +79,7 @@ function Machine({ machine, until, isOpen, onToggle }) {
           title="Show the states of this behavior in the timeline"
           onClick={chooseBand}
         >
-          band
+          timeline
         </button>
       </div>
       {!isOpen && events[0] && events[0].reason && <div class="reason">{events[0].reason}</div>}
@@ -96,7 +98,7 @@ function Machine({ machine, until, isOpen, onToggle }) {
       )}
       {fault && (
         <div class="fault">
-          <b>{fault.file ? `${fault.file}:${fault.line}` : fault.name}</b> {fault.message}
+          <b>{placeOf(fault)}</b> {fault.message.replace(`${placeOf(fault)}: `, "")}
         </div>
       )}
       {!fault && machine.errors > 0 && (

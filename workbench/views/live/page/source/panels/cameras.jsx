@@ -11,8 +11,8 @@ import { set, settings } from "../settings.js";
 import { changed, useChanges } from "../ticker.js";
 
 const CAMERAS = [
-  ["upper", "Upper camera"],
-  ["lower", "Lower camera"],
+  ["upper", "Upper"],
+  ["lower", "Lower"],
 ];
 const SAME = 1e-4; // s, between the timestamps of an image and of its annotations
 
@@ -79,7 +79,7 @@ function Camera({ camera, name }) {
     if (annotations) drawAnnotations(context, annotations, scale);
     const shown = store.shown()?.time ?? part.time;
     const late = shown - part.time;
-    const age = late > 0.05 ? `, ${seconds(late)} older` : "";
+    const age = late > 0.1 ? ` (${seconds(late)} old)` : "";
     caption.current.textContent = `${name}, ${seconds(part.time)}${age}`;
   };
   return (
@@ -107,7 +107,7 @@ function Cameras() {
         title="Cyan: detected. Red: expected at the believed pose."
         onClick={() => set({ annotations: !settings.annotations })}
       >
-        annotations
+        overlay
       </button>
     </div>
   );

@@ -3,7 +3,7 @@
 // shows an instant in every panel. The view pauses, not the robot.
 import { useEffect, useRef } from "preact/hooks";
 
-import { bandsHeight, drawBands, marksOf } from "../draw/bands.js";
+import { bandsHeight, drawBands, isReorientation, marksOf } from "../draw/bands.js";
 import { Canvas } from "../draw/canvas.jsx";
 import { themeColor } from "../draw/palette.js";
 import { GUTTER, RIGHT, columnsOf, confidencePlot, evidencePlot } from "../draw/plots.js";
@@ -110,7 +110,8 @@ function drawCursor(context, width, height) {
     context.fillRect(x(time) - thickness / 2, 0, thickness, height);
   };
   for (const event of store.events)
-    if (event.kind === "command" && event.granted) line(event.time, themeColor("good-soft"), 1);
+    if (event.kind === "command" && event.granted && isReorientation(event))
+      line(event.time, themeColor("good-soft"), 1);
   const hover = hovered();
   if (hover !== null) line(hover, themeColor("soft"), 1);
   if (!store.isLive) {

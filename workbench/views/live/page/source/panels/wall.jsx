@@ -40,12 +40,12 @@ function marker(context, u, top, bottom, color, name, side) {
 }
 
 function drawStrip(context, scene, frame, width, height) {
-  const { radius, tiles, rods, top } = wallOf(scene);
+  const { radius, tiles, belief, top } = wallOf(scene);
   const [left, right, above, below] = [6, width - 6, 22, 18];
   // What is on the robot's left is on the left.
   const at = (azimuth) => left + ((Math.PI - azimuth) / (2 * Math.PI)) * (right - left);
-  const belief = Math.max(18, 0.28 * (height - above - below));
-  const [tilesTop, tilesBottom] = [above, height - below - belief - 4];
+  const bars = Math.max(18, 0.28 * (height - above - below));
+  const [tilesTop, tilesBottom] = [above, height - below - bars - 4];
   const lowest = Math.min(...tiles.map((tile) => tile.low));
   const v = (z) => tilesBottom - ((z - lowest) / (top - lowest)) * (tilesBottom - tilesTop);
   for (const { from, to, low, high, color } of tiles) {
@@ -57,12 +57,11 @@ function drawStrip(context, scene, frame, width, height) {
     }
   }
   const base = height - below;
-  const tallest = Math.max(0.01, ...rods.map((rod) => rod.height));
-  const wide = Math.max(2, ((right - left) / 128) * 0.8);
+  const wide = Math.max(2, (right - left) / 120);
   context.fillStyle = palette.view;
-  for (const rod of rods) {
-    const tall = Math.max(1, (rod.height / tallest) * (belief - 2));
-    context.fillRect(at(rod.azimuth) - wide / 2, base - tall, wide, tall);
+  for (const { azimuth, bar } of belief) {
+    const tall = Math.max(1, bar * (bars - 2));
+    context.fillRect(at(azimuth) - wide / 2, base - tall, wide, tall);
   }
   context.fillStyle = themeColor("rule");
   context.fillRect(left, base, right - left, 1);
