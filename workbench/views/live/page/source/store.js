@@ -181,7 +181,7 @@ export class Store {
     for (const list of [this.events, this.log]) while (list.length && list[0].time < oldest) list.shift();
   }
 
-  /// The index of the last frame at or before a time, -1 if there is none.
+  /// The index of the last frame at or before a time, -1 before the first frame.
   indexAt(time) {
     const { frames } = this;
     let low = 0;

@@ -7,7 +7,7 @@ import { store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { useChanges } from "../ticker.js";
 
-const SHOWN = 5; // transitions of an opened machine
+const SHOWN = 8; // transitions of an opened machine
 const ERROR = 4; // level of the log
 
 const path = (state) => state.split("/").join(" › ");
