@@ -122,10 +122,30 @@ test("a slider sends setParameters, and undo sets the value before", async () =>
 test("a value that the robot refuses returns to the one in force, with a text", async () => {
   const box = page.locator('input[aria-label="orientation.hold_time"]');
   await box.fill("99");
+  // The page is drawn again while the text is edited.
+  const shown = await shownTime();
+  await until((was) => document.querySelector(".connection .value").textContent !== was, shown);
+  assert.equal(await box.inputValue(), "99");
   await box.press("Enter");
   await page.getByText("The robot uses 0.2 instead of 99.").waitFor();
   assert.equal(await box.inputValue(), "0.2");
   await page.keyboard.press("Escape");
+});
+
+test("Escape and texts that are no numbers leave a value unchanged", async () => {
+  const box = page.locator('input[aria-label="orientation.hold_time"]');
+  const sent = () => robot.received.filter((it) => it.op === "setParameters").length;
+  const before = sent();
+  await box.fill("7");
+  await box.press("Escape");
+  await until(() => document.querySelector('input[aria-label="orientation.hold_time"]').value === "0.2");
+  for (const text of ["fast", "", "1e999"]) {
+    await box.fill(text);
+    await box.press("Enter");
+    await until(() => document.querySelector('input[aria-label="orientation.hold_time"]').value === "0.2");
+  }
+  await page.keyboard.press("Escape");
+  assert.equal(sent(), before);
 });
 
 test("a note reaches the robot and is a mark with its time", async () => {
@@ -194,11 +214,46 @@ test("damaged messages of the robot are reported, and the page continues", async
     socket.send(JSON.stringify({ op: "parameterValues", parameters: [{}, null] }));
     socket.send(JSON.stringify({ op: "unadvertiseServices", serviceIds: [3] }));
   }
-  await page.getByText("3 messages could not be read").waitFor();
+  await page.getByText("3 messages could not be read or drawn").waitFor();
   await page.keyboard.press("8");
   await page.locator("#note").waitFor({ state: "detached" }); // the service was removed
   const time = await shownTime();
   await until((was) => document.querySelector(".connection .value").textContent !== was, time);
+});
+
+test("messages that do not fit their schema disturb only the panels that show them", async () => {
+  await page.keyboard.press("4");
+  for (const topic of ["/machines", "/percepts", "/wall", "/belief/particles", "/camera/upper/annotations", "/log"])
+    for (const value of [{}, null, 3, { machines: [{}], entities: [{}], poses: [{}] }]) robot.broadcast(topic, value);
+  robot.broadcast("/world", { pose: "nowhere", confidence: { evidence: "much", status: 7 }, robot: null });
+  robot.broadcast("/world", null);
+  await page.getByText("messages could not be read or drawn").waitFor();
+  const time = await shownTime();
+  await until((was) => document.querySelector(".connection .value").textContent !== was, time);
+  await page.keyboard.press("6");
+  await page.locator(".values tr").nth(20).waitFor();
+  await page.keyboard.press("4");
+  await page.locator(".machine").nth(4).waitFor();
+});
+
+test("damaged settings of the browser are replaced by the defaults", async () => {
+  const damaged = {
+    span: 0,
+    machines: [1, null, "orientation"],
+    layers: 3,
+    theme: null,
+    areas: { field: "nowhere" },
+    x: 1,
+  };
+  await page.evaluate((value) => localStorage.setItem("reorient.live.1", JSON.stringify(value)), damaged);
+  await page.reload();
+  await untilDrawn("[data-panel=timeline] .bands canvas", 20);
+  await page.locator("summary").click();
+  await page.getByRole("button", { name: "Reset the layout" }).click();
+  await untilDrawn("[data-panel=field] canvas", 100);
+  await page.evaluate(() => localStorage.setItem("reorient.live.1", "{"));
+  await page.reload();
+  await untilDrawn("[data-panel=field] canvas", 100);
 });
 
 test("layers and layout survive that the page is loaded again", async () => {

@@ -203,13 +203,15 @@ export class Robot {
     socket.send(Buffer.concat([head, data]));
   }
 
-  /// Sends the last world again, with the present time.
+  /// Sends the last world and the last states again, with the present time.
   standStill() {
     if (this.now - (this.stoodAt ?? 0n) < FRAME) return;
     this.stoodAt = this.now;
-    const { channel, data } = this.recording.messages.findLast((it) => this.topics.get(it.channel) === "/world");
-    for (const [socket, { subscriptions }] of this.clients)
-      if (subscriptions.has(channel)) this.send(socket, subscriptions.get(channel), this.now, data);
+    for (const topic of ["/world", "/machines"]) {
+      const { channel, data } = this.recording.messages.findLast((it) => this.topics.get(it.channel) === topic);
+      for (const [socket, { subscriptions }] of this.clients)
+        if (subscriptions.has(channel)) this.send(socket, subscriptions.get(channel), this.now, data);
+    }
   }
 
   advance() {

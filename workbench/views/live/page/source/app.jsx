@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: a header with the state of the connection, areas with panels, help.
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useErrorBoundary, useState } from "preact/hooks";
 
 import { Audience, isAudience } from "./audience.jsx";
 import { duration, seconds } from "./format.js";
@@ -16,6 +16,7 @@ import { changed, useChanges } from "./ticker.js";
 
 const STALE = 3000; // ms without a message after which the page says so
 const RECENT_DROPS = 10000; // ms
+const RETRY = 1000; // ms
 
 function connectionText() {
   const now = Date.now();
@@ -60,7 +61,7 @@ function Notices() {
   useChanges(500);
   const lines = [...link.notices.values()].map(({ level, message }) => ({ level, message }));
   if (store.bad)
-    lines.push({ level: 1, message: `${store.bad} messages could not be read; the last: ${store.badText}` });
+    lines.push({ level: 1, message: `${store.bad} messages could not be read or drawn; the last: ${store.badText}` });
   return lines.map(({ level, message }) => (
     <div key={message} class={level >= 2 ? "notice error" : "notice"} role="alert">
       {message}
@@ -119,6 +120,16 @@ function Header({ onHelp }) {
   );
 }
 
+/// A panel that cannot show a message says so, and tries again. The other panels continue.
+function Guarded({ Component }) {
+  const [error, retry] = useErrorBoundary((failure) => store.fail(failure.message));
+  useEffect(() => {
+    const timer = error && setTimeout(retry, RETRY);
+    return () => clearTimeout(timer);
+  }, [error]);
+  return error ? <p class="empty">This panel cannot show what the robot sent: {error.message}</p> : <Component />;
+}
+
 function Area({ area }) {
   useChanges(1000);
   const { all, open } = contentsOf(area);
@@ -129,7 +140,6 @@ function Area({ area }) {
     if (target === "hide") hidePanel(open.id);
     else movePanel(open.id, target);
   };
-  const { Component } = open;
   return (
     <section class="area" data-area={area} data-panel={open.id} aria-label={open.title}>
       <div class="tabs" role="tablist">
@@ -157,7 +167,7 @@ function Area({ area }) {
         </select>
       </div>
       <div class="panel" key={open.id}>
-        <Component />
+        <Guarded Component={open.Component} />
       </div>
     </section>
   );

@@ -3,13 +3,14 @@
 import { Connection } from "./connection.js";
 import { Parameters, thresholds } from "./parameters.js";
 import { Store, TOPICS } from "./store.js";
-import { changed, changedByUser } from "./ticker.js";
+import { changed, changedByUser, onFailure } from "./ticker.js";
 
 const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
 
 const SET = "set_parameters"; // a service
 
 export const store = new Store(changed, changedByUser);
+onFailure((error) => store.fail(error.message));
 export const parameters = new Parameters(changed, changedByUser);
 
 /// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports.
@@ -70,8 +71,7 @@ const listeners = {
     }
   },
   bad(text) {
-    ++store.bad;
-    store.badText = text;
+    store.fail(text);
   },
 };
 

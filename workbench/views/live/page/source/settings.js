@@ -51,6 +51,9 @@ function load() {
       continue;
     settings[name] = typeof standard === "object" && !Array.isArray(standard) ? { ...standard, ...value } : value;
   }
+  settings.span = Math.min(600, Math.max(3, settings.span || DEFAULTS.span));
+  for (const list of ["machines", "pinned", "hidden"])
+    settings[list] = settings[list].filter((it) => typeof it === "string");
   return settings;
 }
 

@@ -58,7 +58,7 @@ export class Store {
     this.onShow = onShow;
     this.budget = budget;
     this.dropped = 0; // times that the robot dropped messages because the connection is slow
-    this.bad = 0; // messages that could not be read
+    this.bad = 0; // messages that could not be read or drawn
     this.badText = "";
     this.clear();
   }
@@ -77,13 +77,18 @@ export class Store {
     this.onChange();
   }
 
+  /// Counts what could not be read or drawn, and keeps the last text.
+  fail(text) {
+    ++this.bad;
+    this.badText = text;
+  }
+
   /// Takes a message. `time`: microseconds.
   receive(topic, time, payload) {
     try {
       this.take(topic, time * MICROSECOND, payload);
     } catch (error) {
-      ++this.bad;
-      this.badText = `${topic}: ${error.message}`;
+      this.fail(`${topic}: ${error.message}`);
     }
     this.onChange();
   }
@@ -94,7 +99,7 @@ export class Store {
       return;
     }
     const last = this.frames.at(-1);
-    if (last && time < last.time - LONGEST) this.clear();
+    if (topic === "/world" && last && time < last.time - LONGEST) this.clear();
     if (topic === "/events") {
       this.addLine(this.events, eventOf(time, readJson(payload)));
       return;

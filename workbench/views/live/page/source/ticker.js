@@ -3,6 +3,13 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 const subscribers = new Set();
+let failed = () => {};
+
+/// Sets what is called with the error of a drawing.
+export function onFailure(call) {
+  failed = call;
+}
+
 let version = 0;
 let scheduled = 0;
 let urgent = false;
@@ -36,7 +43,11 @@ function run(now) {
     }
     subscriber.seen = version;
     subscriber.last = now;
-    subscriber.call(now);
+    try {
+      subscriber.call(now);
+    } catch (error) {
+      failed(error); // the other panels are drawn
+    }
   }
   if (late) schedule();
 }

@@ -37,15 +37,17 @@ export function fieldPlan(field, wall, width, height) {
   const turn = upright ? Math.PI / 2 : 0;
   const labels = (context, scene) => {
     if (!scene) return;
-    context.font = "600 12px system-ui, sans-serif";
+    context.font = "600 11px system-ui, sans-serif";
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.fillStyle = "rgba(255, 255, 255, 0.85)";
+    const widths = scene.labels.map(({ text }) => context.measureText(`${text} goal`).width);
+    const longest = BESIDE_GOAL + Math.max(...widths) / scale;
     for (const { x, text } of scene.labels) {
       // On the border, beside the goal.
       const name = `${text} goal`;
       const long = context.measureText(name).width / scale;
-      if (BESIDE_GOAL + long > extent(scene).y) continue;
+      if (longest > extent(scene).y) continue;
       const [u, v] = at(Math.sign(x) * (Math.abs(x) - 0.35), BESIDE_GOAL + long / 2);
       context.save();
       context.translate(u, v);

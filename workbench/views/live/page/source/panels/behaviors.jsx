@@ -73,14 +73,6 @@ function Machine({ machine, until, isOpen, onToggle }) {
         </button>
         <span class="state">{machine.stopped ? "stopped after an error" : path(machine.state)}</span>
         <span class="value">{duration(machine.seconds)}</span>
-        <button
-          class="chip small"
-          aria-pressed={isBand}
-          title="Show the states of this behavior in the timeline"
-          onClick={chooseBand}
-        >
-          timeline
-        </button>
       </div>
       {!isOpen && events[0] && events[0].reason && <div class="reason">{events[0].reason}</div>}
       {isOpen && (
@@ -94,6 +86,16 @@ function Machine({ machine, until, isOpen, onToggle }) {
             </li>
           ))}
           {!events.length && <li class="soft">No transition in the stored time.</li>}
+          <li>
+            <button
+              class="chip small"
+              aria-pressed={isBand}
+              title="Show the states of this behavior in the timeline"
+              onClick={chooseBand}
+            >
+              show in the timeline
+            </button>
+          </li>
         </ol>
       )}
       {fault && (

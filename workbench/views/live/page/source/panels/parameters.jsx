@@ -25,14 +25,14 @@ function scaleOf({ min, max }) {
 
 function Slider({ parameter, disabled }) {
   const last = useRef(0);
+  const [moving, setMoving] = useState(null); // the position while the user moves the slider
   const scale = scaleOf(parameter);
   const valueAt = (event) => {
-    const { min, max, default: standard } = parameter;
-    const isWhole = [min, max, standard].every(Number.isInteger) && max - min >= 20 && parameter.type === "integer";
-    const value = Number(scale.value(Number(event.currentTarget.value)).toPrecision(3));
-    return Math.min(max, Math.max(min, isWhole ? Math.round(value) : value));
+    const { min, max } = parameter;
+    return Math.min(max, Math.max(min, Number(scale.value(Number(event.currentTarget.value)).toPrecision(3))));
   };
   const move = (event) => {
+    setMoving(event.currentTarget.value);
     const now = performance.now();
     if (now - last.current < SEND_INTERVAL) return;
     last.current = now;
@@ -42,6 +42,7 @@ function Slider({ parameter, disabled }) {
     const value = valueAt(event);
     if (value !== parameters.all.get(parameter.name).value) setParameter(parameter.name, value);
     parameters.settle();
+    setMoving(null);
   };
   return (
     <input
@@ -49,7 +50,7 @@ function Slider({ parameter, disabled }) {
       min="0"
       max="1000"
       step="1"
-      value={Math.round(scale.position(parameter.value))}
+      value={moving ?? Math.round(scale.position(parameter.value))}
       disabled={disabled}
       aria-label={`${parameter.name} as a slider`}
       onInput={move}
@@ -60,37 +61,43 @@ function Slider({ parameter, disabled }) {
 
 function Value({ parameter, disabled }) {
   const { name, value } = parameter;
+  const draft = useRef(null); // the text while the user edits it
+  const [, draw] = useState(0);
+  const edit = (text) => {
+    draft.current = text;
+    draw((count) => count + 1);
+  };
   const send = (next) => {
     setParameter(name, next);
     parameters.settle();
   };
-  if (typeof value === "boolean")
-    return (
-      <input
-        type="checkbox"
-        checked={value}
-        disabled={disabled}
-        aria-label={name}
-        onChange={(event) => send(event.currentTarget.checked)}
-      />
-    );
-  const commit = (event) => {
-    const text = event.currentTarget.value.trim();
-    if (text === entered(value)) return;
+  if (typeof value === "boolean") {
+    const change = (event) => send(event.currentTarget.checked);
+    return <input type="checkbox" checked={value} disabled={disabled} aria-label={name} onChange={change} />;
+  }
+  const isNumber = typeof value === "number";
+  const commit = () => {
+    if (draft.current === null) return;
+    const text = draft.current.trim();
+    edit(null);
     const number = Number(text.replace("−", "-"));
-    if (typeof value === "number" && (text === "" || !Number.isFinite(number)))
-      event.currentTarget.value = entered(value);
-    else send(typeof value === "number" ? number : text);
+    if (isNumber && (text === "" || !Number.isFinite(number))) return; // the value stays
+    if (text !== entered(value)) send(isNumber ? number : text);
+  };
+  const key = (event) => {
+    if (event.key === "Enter") commit();
+    if (event.key === "Escape") edit(null);
   };
   return (
     <input
       type="text"
-      inputmode={typeof value === "number" ? "decimal" : "text"}
-      value={entered(value ?? "")}
+      inputmode={isNumber ? "decimal" : "text"}
+      value={draft.current ?? entered(value ?? "")}
       disabled={disabled}
       aria-label={name}
+      onInput={(event) => edit(event.currentTarget.value)}
       onBlur={commit}
-      onKeyDown={(event) => event.key === "Enter" && commit(event)}
+      onKeyDown={key}
     />
   );
 }

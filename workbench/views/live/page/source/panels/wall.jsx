@@ -19,32 +19,38 @@ const DIRECTIONS = [
   [-180, "own goal"],
 ];
 
-function marker(context, u, top, bottom, color, name, side) {
-  context.strokeStyle = color;
-  context.lineWidth = 2.5;
-  context.beginPath();
-  context.moveTo(u, top);
-  context.lineTo(u, bottom);
-  context.stroke();
-  context.beginPath();
-  context.moveTo(u - 6, top - 1);
-  context.lineTo(u + 6, top - 1);
-  context.lineTo(u, top + 7);
-  context.fillStyle = color;
-  context.fill();
+/// Lines with labels at two positions. The labels do not overlap, if they fit at all.
+function drawMarkers(context, markers, top, bottom, width) {
   context.font = "600 11px system-ui, sans-serif";
   context.textBaseline = "bottom";
-  context.textAlign = side;
-  const edge = side === "left" ? Math.max(2, u - 6) : u + 6;
-  context.fillText(name, edge, top - 4);
+  context.textAlign = "left";
+  const [left, right] = [...markers].sort((some, other) => some.u - other.u);
+  const wide = ({ name }) => context.measureText(name).width;
+  right.label = Math.min(right.u - 6, width - 2 - wide(right));
+  left.label = Math.max(2, Math.min(left.u - 6, right.label - 8 - wide(left)));
+  right.label = Math.max(right.label, left.label + wide(left) + 8);
+  for (const { u, color, name, label } of markers) {
+    context.strokeStyle = context.fillStyle = color;
+    context.lineWidth = 2.5;
+    context.beginPath();
+    context.moveTo(u, top);
+    context.lineTo(u, bottom);
+    context.stroke();
+    context.beginPath();
+    context.moveTo(u - 6, top - 1);
+    context.lineTo(u + 6, top - 1);
+    context.lineTo(u, top + 7);
+    context.fill();
+    context.fillText(name, label, top - 4);
+  }
 }
 
 function drawStrip(context, scene, frame, width, height) {
   const { radius, tiles, belief, top } = wallOf(scene);
-  const [left, right, above, below] = [6, width - 6, 22, 18];
+  const [left, right, above, below] = [6, width - 6, 20, 17];
   // What is on the robot's left is on the left.
   const at = (azimuth) => left + ((Math.PI - azimuth) / (2 * Math.PI)) * (right - left);
-  const bars = Math.max(18, 0.28 * (height - above - below));
+  const bars = Math.max(12, 0.26 * (height - above - below));
   const [tilesTop, tilesBottom] = [above, height - below - bars - 4];
   const lowest = Math.min(...tiles.map((tile) => tile.low));
   const v = (z) => tilesBottom - ((z - lowest) / (top - lowest)) * (tilesBottom - tilesTop);
@@ -75,8 +81,11 @@ function drawStrip(context, scene, frame, width, height) {
   if (!frame?.pose) return;
   const seen = at(sightOnWall(frame.pose, frame.headYaw, radius));
   const other = at(sightOnWall(mirrored(frame.pose), frame.headYaw, radius));
-  marker(context, other, above, base, themeColor("red"), "view if mirrored", other < width / 2 ? "left" : "right");
-  marker(context, seen, above, base, themeColor("belief"), "believed view", seen < width / 2 ? "left" : "right");
+  const views = [
+    { u: other, color: themeColor("red"), name: "view if mirrored" },
+    { u: seen, color: themeColor("belief"), name: "believed view" },
+  ];
+  drawMarkers(context, views, above, base, width);
 }
 
 function drawWallRing(context, scene, frame, width, height) {
