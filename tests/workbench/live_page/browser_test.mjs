@@ -117,6 +117,11 @@ test("a slider sends setParameters, and undo sets the value before", async () =>
   assert.equal(await box.inputValue(), "10");
   await page.getByRole("button", { name: "Undo" }).click();
   await untilReceived((it) => it.op === "setParameters" && it.parameters[0].value === 0.2);
+  await slider.focus();
+  for (let i = 0; i < 5; ++i) await slider.press("ArrowRight");
+  await untilReceived((it) => it.op === "setParameters" && it.parameters[0].value === 0.25);
+  for (let i = 0; i < 5; ++i) await page.getByRole("button", { name: "Undo" }).click();
+  await until(() => document.querySelector('input[aria-label="orientation.hold_time"]').value === "0.2");
 });
 
 test("a value that the robot refuses returns to the one in force, with a text", async () => {
@@ -308,6 +313,21 @@ test("the audience sees field, wall and one sentence, and can change nothing", a
     assert.equal(await audience.locator(".audience button, .audience input, .audience select").count(), 0);
     await audience.close();
   }
+});
+
+test("a page that may change nothing says why, and offers nothing that changes something", async () => {
+  robot.refusal = "to change something, open the link with the token";
+  const watcher = await open({ viewport: { width: 1366, height: 768 } }, "?token=1");
+  await watcher.keyboard.press("8");
+  await watcher.getByText(robot.refusal).waitFor();
+  assert.equal(await watcher.locator("#note").count(), 0);
+  await watcher.keyboard.press("5");
+  await watcher.locator(".parameter input[type=range]").first().waitFor();
+  assert.ok(await watcher.locator(".parameter input[type=range]").first().isDisabled());
+  assert.ok(await watcher.getByRole("button", { name: "Undo" }).isDisabled());
+  assert.equal(robot.paths.at(-1), "/?token=1");
+  robot.refusal = "";
+  await watcher.close();
 });
 
 test("a phone shows every area without a horizontal scroll bar", async () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// build.mjs [FOLDER]: makes live.html, live.js and live.css from source/ into FOLDER (default: built/ beside this file).
-// The result depends only on the sources and on package-lock.json.
+// build.mjs [FOLDER]: makes index.html, live.js and live.css from source/ in FOLDER (default: built/ beside this
+// file). The result depends only on the sources and on package-lock.json.
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -41,4 +41,4 @@ await esbuild.build({
   banner: { js: banner, css: banner },
   logLevel: "warning",
 });
-copyFileSync(join(here, "source/live.html"), join(out, "live.html"));
+copyFileSync(join(here, "source/index.html"), join(out, "index.html"));

@@ -31,13 +31,15 @@ const NANOSECONDS = 1e6; // in a millisecond
 
 export class Robot {
   /// `folder`: that of the built page; `speed`: times real time; `from`: s of the recording at which it starts; `loop`:
-  /// after the recording another run begins, otherwise the robot stands still.
-  constructor({ recording, folder, parameters = [], speed = 1, from = 0, loop = true }) {
-    Object.assign(this, { recording, folder, parameters, speed, from, loop });
+  /// after the recording another run begins, otherwise the robot stands still; `refusal`: why clients may change
+  /// nothing.
+  constructor({ recording, folder, parameters = [], speed = 1, from = 0, loop = true, refusal = "" }) {
+    Object.assign(this, { recording, folder, parameters, speed, from, loop, refusal });
     this.byName = new Map(parameters.map((it) => [it.name, { ...it }]));
     this.topics = new Map(recording.channels.map((it) => [it.id, it.topic]));
     this.session = 1;
     this.received = []; // messages of clients, for tests
+    this.paths = []; // of the connections
     this.clients = new Map(); // socket: {subscriptions: Map(channel: subscription), watches: Set(name)}
     this.rewind();
   }
@@ -61,7 +63,10 @@ export class Robot {
       server: this.server,
       handleProtocols: (names) => (names.has(SUBPROTOCOL) ? SUBPROTOCOL : false),
     });
-    this.sockets.on("connection", (socket) => this.welcome(socket));
+    this.sockets.on("connection", (socket, request) => {
+      this.paths.push(request.url);
+      this.welcome(socket);
+    });
     await new Promise((done, failed) => this.server.once("error", failed).listen(port, "127.0.0.1", done));
     this.port = this.server.address().port;
     this.last = performance.now();
@@ -79,9 +84,9 @@ export class Robot {
 
   serve(request, response) {
     const path = new URL(request.url, "http://robot").pathname;
-    const name = path === "/" || path === "/audience" ? "live.html" : path.slice(1);
+    const name = path === "/" || path === "/audience" ? "index.html" : path.slice(1);
     const type = TYPES[name.split(".").pop()];
-    if (!/^live\.(html|js|css)$/.test(name)) {
+    if (!/^(index\.html|live\.js|live\.css)$/.test(name)) {
       response.writeHead(404).end();
       return;
     }
@@ -106,6 +111,7 @@ export class Robot {
       sessionId: String(this.session),
     });
     say({ op: "advertise", channels: this.recording.channels });
+    if (this.refusal) say({ op: "status", level: 0, message: this.refusal, id: "access" });
     const schema = { encoding: "json", schemaName: "", schemaEncoding: "jsonschema", schema: "{}" };
     say({
       op: "advertiseServices",

@@ -17,13 +17,15 @@ import { changed, useChanges } from "./ticker.js";
 const STALE = 3000; // ms without a message after which the page says so
 const RECENT_DROPS = 10000; // ms
 const RETRY = 1000; // ms
+const LONG = 15000; // ms without a connection
 
 function connectionText() {
   const now = Date.now();
   if (link.state === "connecting") return { tone: "doubt", text: "Connecting to the robot…" };
   if (link.state === "closed") {
     const gone = duration((now - link.since) / 1000);
-    return { tone: "wrong", text: `The robot is gone for ${gone}. Trying again…` };
+    const hint = now - link.since > LONG ? " A restarted run prints another link." : "";
+    return { tone: "wrong", text: `The robot is gone for ${gone}. Trying again…${hint}` };
   }
   if (!store.frames.length) return { tone: "doubt", text: "Connected. Waiting for data…" };
   if (now - link.heard > STALE) return { tone: "doubt", text: `No data for ${duration((now - link.heard) / 1000)}` };
@@ -59,7 +61,7 @@ export function Thought() {
 
 function Notices() {
   useChanges(500);
-  const lines = [...link.notices.values()].map(({ level, message }) => ({ level, message }));
+  const lines = [...link.notices.values()].filter((notice) => notice.until === undefined || notice.until > Date.now());
   if (store.bad)
     lines.push({ level: 1, message: `${store.bad} messages could not be read or drawn; the last: ${store.badText}` });
   return lines.map(({ level, message }) => (

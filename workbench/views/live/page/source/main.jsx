@@ -10,5 +10,6 @@ import "./style.css";
 import { applyTheme } from "./theme.js";
 
 applyTheme();
-connect(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/`);
+// The query of the link contains the token of the run.
+connect(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/${location.search}`);
 render(<App />, document.getElementById("app"));

@@ -8,15 +8,19 @@ import { changed, changedByUser, onFailure } from "./ticker.js";
 const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
 
 const SET = "set_parameters"; // a service
+const ACCESS = "access"; // id of the status that says why this page may change nothing
+const NOTICE = 15000; // ms for which a status without an id is shown
 
 export const store = new Store(changed, changedByUser);
 onFailure((error) => store.fail(error.message));
 export const parameters = new Parameters(changed, changedByUser);
 
-/// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports.
+/// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports; refusal:
+/// why this page may change nothing.
 export const link = {
   state: "connecting",
   since: Date.now(),
+  refusal: "",
   drops: 0,
   lastDrop: 0,
   notices: new Map(),
@@ -40,6 +44,7 @@ const listeners = {
   server(info) {
     document.title = info.name;
     link.notices.clear();
+    link.refusal = "";
     if (session !== null && info.sessionId !== session) store.clear();
     session = info.sessionId;
     parameters.begin(session);
@@ -66,8 +71,13 @@ const listeners = {
     } else if (message.message === SLOW) {
       ++link.drops;
       link.lastDrop = Date.now();
+    } else if (message.id === ACCESS) {
+      link.refusal = message.message;
     } else {
-      link.notices.set(message.id ?? message.message, message);
+      link.notices.set(message.id ?? message.message, {
+        ...message,
+        until: message.id ? Infinity : Date.now() + NOTICE,
+      });
     }
   },
   bad(text) {
@@ -91,8 +101,10 @@ async function loadParameters() {
   }
 }
 
-export const canSetParameters = () => link.state === "open" && (connection.has("parameters") || canCall(SET));
-export const canCall = (service) => link.services.has(service);
+export const canSetParameters = () =>
+  link.state === "open" && !link.refusal && (connection.has("parameters") || canCall(SET));
+/// Whether the robot offers a service; `changes`: one that changes something.
+export const canCall = (service, changes = false) => link.services.has(service) && !(changes && link.refusal);
 export const call = (service, value) => connection.call(service, value);
 
 /// Sends a value of a parameter. The answer contains the value that is in force.

@@ -42,7 +42,8 @@ export function thought(store, limits) {
   }
   if (pose.known === false && confidence.status !== "lost")
     return { text: "The robot does not know where it is.", tone: "doubt" };
-  const text = STATUS[confidence.status];
-  if (text) return { text, tone: confidence.status === "unlearned" ? "busy" : "doubt" };
+  const isLearning = training.active && confidence.status === "resting";
+  const text = STATUS[isLearning ? "unlearned" : confidence.status];
+  if (text) return { text, tone: text === STATUS.unlearned ? "busy" : "doubt" };
   return { text: "The robot compares the room with what it has learned, and is not sure yet.", tone: "doubt" };
 }

@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 
 import { fixed } from "../format.js";
-import { call, canCall, store } from "../robot.js";
+import { call, canCall, link, store } from "../robot.js";
 import { useChanges } from "../ticker.js";
 
 function Notes() {
@@ -24,7 +24,7 @@ function Notes() {
   };
   return (
     <div class="fill column">
-      {canCall("note") && (
+      {canCall("note", true) && (
         <form class="row pad" onSubmit={send}>
           <input
             id="note"
@@ -56,9 +56,9 @@ function Notes() {
         ))}
         {!notes.length && (
           <li class="empty">
-            {canCall("note")
+            {canCall("note", true)
               ? "No notes yet. A note is stored in the recording with the time of the robot."
-              : "This robot takes no notes from the page."}
+              : link.refusal || "This robot takes no notes from the page."}
           </li>
         )}
       </ol>

@@ -3,7 +3,7 @@
 import { useRef, useState } from "preact/hooks";
 
 import { entered } from "../format.js";
-import { canSetParameters, parameters, setParameter, undoParameter } from "../robot.js";
+import { canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
 import { useChanges } from "../ticker.js";
 
 const LONGEST_LIST = 120;
@@ -23,13 +23,17 @@ function scaleOf({ min, max }) {
     : { position: (value) => (1000 * (value - min)) / (max - min), value: (at) => min + ((max - min) * at) / 1000 };
 }
 
+/// The value now, which is newer than the one that the list was drawn with.
+const present = ({ name }) => parameters.all.get(name)?.value;
+
 function Slider({ parameter, disabled }) {
   const last = useRef(0);
   const [moving, setMoving] = useState(null); // the position while the user moves the slider
   const scale = scaleOf(parameter);
   const valueAt = (event) => {
     const { min, max } = parameter;
-    return Math.min(max, Math.max(min, Number(scale.value(Number(event.currentTarget.value)).toPrecision(3))));
+    const value = Number(scale.value(Number(event.currentTarget.value)).toPrecision(3));
+    return Math.min(max, Math.max(min, parameter.type === "integer" ? Math.round(value) : value));
   };
   const move = (event) => {
     setMoving(event.currentTarget.value);
@@ -50,7 +54,7 @@ function Slider({ parameter, disabled }) {
       min="0"
       max="1000"
       step="1"
-      value={moving ?? Math.round(scale.position(parameter.value))}
+      value={moving ?? Math.round(scale.position(present(parameter)))}
       disabled={disabled}
       aria-label={`${parameter.name} as a slider`}
       onInput={move}
@@ -60,7 +64,8 @@ function Slider({ parameter, disabled }) {
 }
 
 function Value({ parameter, disabled }) {
-  const { name, value } = parameter;
+  const { name } = parameter;
+  const value = present(parameter);
   const draft = useRef(null); // the text while the user edits it
   const [, draw] = useState(0);
   const edit = (text) => {
@@ -74,6 +79,15 @@ function Value({ parameter, disabled }) {
   if (typeof value === "boolean") {
     const change = (event) => send(event.currentTarget.checked);
     return <input type="checkbox" checked={value} disabled={disabled} aria-label={name} onChange={change} />;
+  }
+  if (parameter.choices) {
+    return (
+      <select value={value} disabled={disabled} aria-label={name} onChange={(event) => send(event.currentTarget.value)}>
+        {parameter.choices.map((choice) => (
+          <option key={choice}>{choice}</option>
+        ))}
+      </select>
+    );
   }
   const isNumber = typeof value === "number";
   const commit = () => {
@@ -190,7 +204,11 @@ function ParametersPanel() {
             {id === "all" ? "" : ` (${[...parameters.all.values()].filter(accept).length})`}
           </button>
         ))}
-        {disabled && <span class="soft">read-only</span>}
+        {disabled && (
+          <span class="soft" title={link.refusal}>
+            read-only
+          </span>
+        )}
       </div>
       <ul class="scroll parameters">
         {found.slice(0, LONGEST_LIST).map((parameter) => (
