@@ -24,7 +24,7 @@
 #include "engine/record/record_bytes.h"
 #include "geometry/image.h"
 #include "workbench/recording/recording_file.h"
-#include "workbench/recording/viewer/viewer_messages.h"
+#include "workbench/views/viewer/viewer_messages.h"
 
 namespace reorient {
 namespace {

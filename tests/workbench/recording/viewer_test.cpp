@@ -20,9 +20,9 @@
 #include "tests/engine/eventful_run.h"
 #include "tests/paths.h"
 #include "workbench/files/input_file.h"
-#include "workbench/recording/viewer/base64.h"
-#include "workbench/recording/viewer/foxglove.h"
-#include "workbench/recording/viewer/viewer_messages.h"
+#include "workbench/views/viewer/base64.h"
+#include "workbench/views/viewer/foxglove.h"
+#include "workbench/views/viewer/viewer_messages.h"
 
 namespace reorient {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workbench/recording/viewer/foxglove.h"
+#include "workbench/views/viewer/foxglove.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/pinned_math.h"
-#include "workbench/recording/viewer/base64.h"
+#include "workbench/views/viewer/base64.h"
 
 namespace reorient::foxglove {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workbench/recording/viewer/viewer_messages.h"
+#include "workbench/views/viewer/viewer_messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "engine/script/language/world_fields.h"
-#include "workbench/recording/viewer/foxglove.h"
 #include "workbench/run/log_lines.h"
 #include "workbench/run/timeline.h"
 #include "workbench/views/scene/camera_overlay.h"
 #include "workbench/views/scene/field_scene.h"
+#include "workbench/views/viewer/foxglove.h"
 
 namespace reorient {
 namespace {

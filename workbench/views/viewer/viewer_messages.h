@@ -10,9 +10,9 @@
 
 #include "engine/record/frame_record.h"
 #include "geometry/image.h"
-#include "workbench/recording/viewer/jpeg.h"
-#include "workbench/recording/viewer/viewer_topics.h"
 #include "workbench/run/observer.h"
+#include "workbench/views/viewer/jpeg.h"
+#include "workbench/views/viewer/viewer_topics.h"
 
 namespace reorient {
 

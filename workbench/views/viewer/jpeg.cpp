@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workbench/recording/viewer/jpeg.h"
+#include "workbench/views/viewer/jpeg.h"
 
 #include <stdexcept>
 #include <string>

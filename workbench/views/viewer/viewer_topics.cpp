@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "workbench/recording/viewer/viewer_topics.h"
+#include "workbench/views/viewer/viewer_topics.h"
 
 #include <string>
 #include <utility>
 
 #include "engine/record/frame_record.h"
 #include "engine/script/language/world_fields.h"
-#include "workbench/recording/viewer/foxglove.h"
+#include "workbench/views/viewer/foxglove.h"
 
 namespace reorient {
 namespace {

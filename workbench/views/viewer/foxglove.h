@@ -12,8 +12,8 @@
 #include "geometry/camera.h"
 #include "geometry/pose2.h"
 #include "geometry/transform.h"
-#include "workbench/recording/viewer/foxglove_schemas.h"
 #include "workbench/views/scene/shapes.h"
+#include "workbench/views/viewer/foxglove_schemas.h"
 
 namespace reorient::foxglove {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workbench/recording/viewer/base64.h"
+#include "workbench/views/viewer/base64.h"
 
 #include <algorithm>
 #include <cstdint>
