@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <cstring>
 #include <deque>
 #include <exception>
 #include <filesystem>
@@ -16,23 +15,17 @@
 #include <system_error>
 #include <utility>
 
-#include <pthread.h>
-#include <sched.h>
 #include <unistd.h>
 
 #include "engine/record/input_bytes.h"
 #include "engine/record/record_bytes.h"
 #include "geometry/image.h"
 #include "workbench/recording/recording_file.h"
+#include "workbench/run/batch_thread.h"
 #include "workbench/views/viewer/viewer_messages.h"
 
 namespace reorient {
 namespace {
-
-void copy_pixels(const ImageView& from, Image& to) {
-  if (to.width() != from.width || to.height() != from.height) to = Image(from.width, from.height);
-  for (int y = 0; y < from.height; ++y) std::memcpy(to.row(y), from.row(y), 2 * static_cast<std::size_t>(from.width));
-}
 
 std::vector<ViewTopic> view_topics() {
   std::vector<ViewTopic> topics;
@@ -43,9 +36,6 @@ std::vector<ViewTopic> view_topics() {
   }
   return topics;
 }
-
-// Frames between two recorded values of slowly changing topics.
-constexpr std::uint64_t kRoomEvery = 30, kParametersEvery = 300;
 
 }  // namespace
 
@@ -255,9 +245,7 @@ Recorder::Counts Recorder::counts() const {
 
 /// Runs in the thread. It writes all queued data, also after an error in a frame.
 void Recorder::write_items(Shared& shared) {
-  // SCHED_BATCH: waking up this thread does not preempt a running frame.
-  const sched_param none{};
-  pthread_setschedparam(pthread_self(), SCHED_BATCH, &none);
+  become_batch_thread();
   int files = 1;
   bool is_gone = false;  // the last file: removed by this thread, or by another program
   const auto write = [&](Item& item) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -132,40 +133,58 @@ Json log_json(double time, const ParameterOutcome& change) {
 
 }  // namespace
 
+void copy_pixels(const ImageView& from, Image& to) {
+  if (to.width() != from.width || to.height() != from.height) to = Image(from.width, from.height);
+  for (int y = 0; y < from.height; ++y) std::memcpy(to.row(y), from.row(y), 2 * static_cast<std::size_t>(from.width));
+}
+
 void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
   const FrameRecord& frame = viewed.frame;
   const SceneTruth& scene_truth = viewed.scene;
   const double time = frame.world.time;
-  const auto send = [&](ViewerTopic topic, const Json& message) {
+  const auto is_wanted = [&](ViewerTopic topic) { return viewed.topics.test(static_cast<std::size_t>(topic)); };
+  /// `make` makes the message, if it is wanted.
+  const auto send = [&](ViewerTopic topic, const auto& make) {
+    if (!is_wanted(topic)) return;
+    const Json message = make();
     // Scripts may log invalid UTF-8.
     sink(topic, message.dump(-1, ' ', false, Json::error_handler_t::replace));
   };
-
-  const auto send_scene = [&](ViewerTopic topic, std::string_view frame_id, std::string_view id,
-                              const scene::Scene& scene) {
-    send(topic, foxglove::scene_update(time, frame_id, id, scene));
+  const auto send_scene = [&](ViewerTopic topic, std::string_view frame_id, std::string_view id, const auto& make) {
+    send(topic, [&] { return foxglove::scene_update(time, frame_id, id, make()); });
   };
 
-  if (viewed.begins) send_scene(ViewerTopic::field, kField, "field", scene::field_scene(frame.world.field));
+  if (viewed.begins)
+    send_scene(ViewerTopic::field, kField, "field", [&] { return scene::field_scene(frame.world.field); });
   if (viewed.extra.filled.has(Topic::room) && !viewed.extra.room.model.empty())
-    send_scene(ViewerTopic::wall, kField, "wall", scene::wall_scene(viewed.extra.room));
+    send_scene(ViewerTopic::wall, kField, "wall", [&] { return scene::wall_scene(viewed.extra.room); });
   if (viewed.extra.filled.has(Topic::parameters))
-    send(ViewerTopic::parameters, parameters_json(viewed.extra.parameters));
+    send(ViewerTopic::parameters, [&] { return parameters_json(viewed.extra.parameters); });
   if (viewed.extra.filled.has(Topic::pose_particles)) {
-    send(ViewerTopic::pose_particles, foxglove::poses_in_frame(time, kField, viewed.extra.pose_particles.particles));
+    send(ViewerTopic::pose_particles,
+         [&] { return foxglove::poses_in_frame(time, kField, viewed.extra.pose_particles.particles); });
   }
-  if (viewed.extra.filled.has(Topic::costs)) send(ViewerTopic::costs, costs_json(viewed.extra, scene_truth));
+  if (viewed.extra.filled.has(Topic::costs))
+    send(ViewerTopic::costs, [&] { return costs_json(viewed.extra, scene_truth); });
 
-  send(ViewerTopic::transforms, transforms_json(frame, scene_truth));
-  send(ViewerTopic::pose, foxglove::pose_in_frame(time, kField, frame.world.pose.pose));
-  if (scene_truth.truth) send(ViewerTopic::truth, foxglove::pose_in_frame(time, kField, scene_truth.truth->pose));
-  send_scene(ViewerTopic::percepts, kRobot, "percepts", scene::percept_scene(frame.percepts));
-  send(ViewerTopic::world, world_json(frame.world));
-  send(ViewerTopic::machines, machines_json(frame));
-  send(ViewerTopic::request, request_json(frame));
-  for (const TimelineEvent& event : timeline_events(frame, scene_truth)) send(ViewerTopic::events, event_json(event));
-  for (const ParameterOutcome& change : frame.parameter_changes) send(ViewerTopic::log, log_json(time, change));
-  for (const LogLine& line : log_lines(frame, scene_truth)) send(ViewerTopic::log, log_json(time, line));
+  send(ViewerTopic::transforms, [&] { return transforms_json(frame, scene_truth); });
+  send(ViewerTopic::pose, [&] { return foxglove::pose_in_frame(time, kField, frame.world.pose.pose); });
+  if (scene_truth.truth)
+    send(ViewerTopic::truth, [&] { return foxglove::pose_in_frame(time, kField, scene_truth.truth->pose); });
+  send_scene(ViewerTopic::percepts, kRobot, "percepts", [&] { return scene::percept_scene(frame.percepts); });
+  send(ViewerTopic::world, [&] { return world_json(frame.world); });
+  send(ViewerTopic::machines, [&] { return machines_json(frame); });
+  send(ViewerTopic::request, [&] { return request_json(frame); });
+  if (is_wanted(ViewerTopic::events)) {
+    for (const TimelineEvent& event : timeline_events(frame, scene_truth))
+      send(ViewerTopic::events, [&] { return event_json(event); });
+  }
+  if (is_wanted(ViewerTopic::log)) {
+    for (const ParameterOutcome& change : frame.parameter_changes)
+      send(ViewerTopic::log, [&] { return log_json(time, change); });
+    for (const LogLine& line : log_lines(frame, scene_truth))
+      send(ViewerTopic::log, [&] { return log_json(time, line); });
+  }
 
   struct CameraTopics {
     const std::optional<CameraRecord>& camera;
@@ -178,12 +197,15 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
     if (!cameras[i].camera) continue;
     const CameraRecord& camera = *cameras[i].camera;
     if (viewed.begins) {
-      send(cameras[i].calibration, foxglove::camera_calibration(camera.time, kCameras[i], camera.camera));
+      send(cameras[i].calibration,
+           [&] { return foxglove::camera_calibration(camera.time, kCameras[i], camera.camera); });
     }
     if (viewed.images[i].empty()) continue;
-    send(cameras[i].image, foxglove::compressed_image(camera.time, kCameras[i], encoder_.encode(viewed.images[i])));
-    send(cameras[i].annotations,
-         foxglove::image_annotations(camera.time, scene::field_overlay(frame, static_cast<HeadCamera>(i))));
+    send(cameras[i].image,
+         [&] { return foxglove::compressed_image(camera.time, kCameras[i], encoder_.encode(viewed.images[i])); });
+    send(cameras[i].annotations, [&] {
+      return foxglove::image_annotations(camera.time, scene::field_overlay(frame, static_cast<HeadCamera>(i)));
+    });
   }
 }
 

@@ -24,9 +24,13 @@ struct ViewedFrame {
   const FrameRecord& frame;  ///< topics that are always filled
   const FrameRecord& extra;  ///< the filled topics of kViewedTopics, in the same record or another one
   const SceneTruth& scene;
-  std::array<ImageView, 2> images;  ///< of the upper and the lower camera; empty: not shown
-  bool begins = false;              ///< a viewer may start here, so lasting messages are sent again
+  std::array<ImageView, 2> images;             ///< of the upper and the lower camera; empty: not shown
+  bool begins = false;                         ///< a viewer may start here, so lasting messages are sent again
+  ViewerTopics topics = ViewerTopics().set();  ///< messages that are made
 };
+
+/// Copies the image, so that it outlives its frame. Uses the memory of `to` again.
+void copy_pixels(const ImageView& from, Image& to);
 
 class ViewerMessages {
  public:

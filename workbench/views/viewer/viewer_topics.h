@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -76,6 +78,12 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::costs, "/costs", "reorient.Costs", "duration of each stage, and cost of each script"},
     {ViewerTopic::parameters, "/parameters", "reorient.Parameters", "every parameter and its value", true},
 }};
+
+/// Some of the topics.
+using ViewerTopics = std::bitset<kViewerTopicCount>;
+
+/// Frames between two messages of topics that change slowly or are large.
+inline constexpr std::uint64_t kParticlesEvery = 6, kRoomEvery = 30, kParametersEvery = 300;
 
 constexpr const ViewerTopicInfo& info(ViewerTopic topic) { return kViewerTopics[static_cast<std::size_t>(topic)]; }
 
