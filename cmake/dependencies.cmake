@@ -2,7 +2,7 @@
 # Finds all external libraries, together with libraries.cmake.
 include(libraries)
 reorient_find(missing
-  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG lz4::lz4 zlib::zlib zstd::zstd tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
+  Eigen3::Eigen sleef::sleef lua::headers turbojpeg::turbojpeg PNG::PNG lz4::lz4 zlib::zlib zstd::zstd civetweb::civetweb tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
   opencv::core opencv::imgproc)
 if(missing)
   message(FATAL_ERROR "reorient: ${missing}")

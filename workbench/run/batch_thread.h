@@ -10,6 +10,8 @@
 
 namespace reorient {
 
+inline constexpr int kLiveNiceness = 5;  ///< of threads that serve viewers
+
 /// Called in the thread. SCHED_BATCH: its wake-up does not preempt a running frame. `niceness`: more than that of the
 /// frames' thread gives it less of a busy processor.
 inline void become_batch_thread(int niceness = 0) {

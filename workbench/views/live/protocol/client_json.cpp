@@ -126,7 +126,7 @@ std::vector<ClientObject> ClientObject::objects(const char* name) const {
   std::vector<ClientObject> all;
   for (const nlohmann::json& value : array(name)) {
     if (!value.is_object()) refuse(name, "objects", value);
-    all.push_back(ClientObject(what_ + ": " + name, value));
+    all.push_back(ClientObject(Parsed(), what_ + ": " + name, value));
   }
   return all;
 }

@@ -31,7 +31,9 @@ class ClientObject {
   std::vector<ClientObject> objects(const char* member) const;
 
  private:
-  ClientObject(std::string what, nlohmann::json json) : what_(std::move(what)), json_(std::move(json)) {}
+  struct Parsed {};
+  ClientObject(Parsed /*tag*/, std::string what, nlohmann::json json)
+      : what_(std::move(what)), json_(std::move(json)) {}
   const nlohmann::json& member(const char* name) const;
   const nlohmann::json& array(const char* name) const;
   [[noreturn]] void refuse(const std::string& where, const char* expected, const nlohmann::json& found) const;
