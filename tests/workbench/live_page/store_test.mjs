@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { Store, eventOf } from "../../../workbench/views/live/page/source/store.js";
+import { Store, eventOf, missingOf } from "../../../workbench/views/live/page/source/store.js";
 
 const encode = (value) => new TextEncoder().encode(JSON.stringify(value));
 const STEP = 33_333; // microseconds
@@ -131,6 +131,15 @@ test("memory: images are thinned first, then dropped, and numbers stay", () => {
   assert.ok(large.size <= 2 * budget, `${large.size}`);
   assert.equal(large.frames.length, 3000);
   assert.ok(large.frames.every((frame) => frame.evidence !== undefined));
+});
+
+test("the text of a frame names what it lacks, and why", () => {
+  const store = filled(900, { budget: 2.5e6, bytes: 5000 });
+  assert.equal(missingOf(store.frames[5]), "no image, no detections of this frame (dropped to save memory)");
+  assert.equal(missingOf(store.frames.at(-1)), "no detections of this frame (not received)");
+  store.receive("/percepts", 899 * STEP, encode({ entities: [] }));
+  assert.equal(missingOf(store.frames.at(-1)), "");
+  assert.equal(missingOf(undefined), "");
 });
 
 test("memory: without images left to drop, the oldest frames go", () => {

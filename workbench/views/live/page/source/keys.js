@@ -62,7 +62,10 @@ export function onKey(event, actions) {
       openPanel("notes");
       focusSoon("#note");
     },
-    "/": () => focusSoon("[data-area=right] input[type=search], input[type=search]"),
+    "/": () => {
+      if (!document.querySelector("input[type=search]")) openPanel("parameters");
+      focusSoon("input[type=search]");
+    },
     "?": actions.help,
   };
   const handler = panel

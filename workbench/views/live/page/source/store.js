@@ -52,6 +52,19 @@ export function eventOf(time, message) {
   return { time, kind: "transition", machine, from: state.slice(0, at).trim(), to: state.slice(at + 2), reason };
 }
 
+/// What a frame lacks of image and detections, and why, as text; empty: nothing.
+export function missingOf(frame) {
+  if (!frame) return "";
+  const has = (name) => Object.keys(frame.parts).some((topic) => topic.endsWith(name));
+  const names = [
+    ["/image", "image"],
+    ["/percepts", "detections"],
+  ];
+  const missing = names.filter(([topic]) => !has(topic)).map(([, name]) => name);
+  if (!missing.length) return "";
+  return `no ${missing.join(", no ")} of this frame (${frame.thinned ? "dropped to save memory" : "not received"})`;
+}
+
 export class Store {
   constructor(onChange = () => {}, onShow = onChange, budget = BUDGET) {
     this.onChange = onChange;

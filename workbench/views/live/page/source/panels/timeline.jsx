@@ -10,6 +10,7 @@ import { GUTTER, RIGHT, columnsOf, confidencePlot, evidencePlot } from "../draw/
 import { fixed, seconds } from "../format.js";
 import { limits, store } from "../robot.js";
 import { set, settings } from "../settings.js";
+import { missingOf } from "../store.js";
 import { theme } from "../theme.js";
 import { changedByUser, onChange, useChanges } from "../ticker.js";
 
@@ -45,19 +46,10 @@ function hovered() {
   return from + view.pointer * (to - from);
 }
 
-/// What the store still has of a frame, as a sentence.
-function contentsOf(frame) {
-  if (!frame) return "";
-  const has = (name) => Object.keys(frame.parts).some((topic) => topic.includes(name));
-  const missing = [
-    ["/image", "image"],
-    ["/percepts", "detections"],
-  ]
-    .filter(([topic]) => !has(topic))
-    .map(([, name]) => name);
-  if (!missing.length) return "";
-  const why = frame.thinned ? "dropped to save memory" : "not received";
-  return `no ${missing.join(", no ")} of this frame (${why})`;
+/// The behaviors whose states are shown: the chosen ones that run, or the first two.
+function machines() {
+  const chosen = settings.machines.filter((name) => store.bands.has(name));
+  return chosen.length ? chosen : [...store.bands.keys()].filter((name) => name !== "status").slice(0, 2);
 }
 
 function Readout() {
@@ -70,14 +62,15 @@ function Readout() {
   const [from, to] = range();
   const mark =
     hover !== null && marksOf(store).findLast((it) => Math.abs(it.time - time) < (NEAR * (to - from)) / view.width);
+  const missing = missingOf(frame);
   const parts = [
     ["", seconds(time)],
-    ...(hover === null && !store.isLive && contentsOf(frame) ? [["", contentsOf(frame)]] : []),
+    ...(hover === null && !store.isLive && missing ? [["", missing]] : []),
     ["evidence", fixed(frame?.evidence, 1)],
     ["current", fixed(frame?.current, 2)],
     ["opposite", fixed(frame?.opposite, 2)],
     ["status", state("status") ?? "–"],
-    ...settings.machines.filter((name) => state(name)).map((name) => [name.replaceAll("_", " "), state(name)]),
+    ...machines().map((name) => [name.replaceAll("_", " "), state(name)]),
   ];
   return (
     <span class="readout">
@@ -242,7 +235,7 @@ function Timeline() {
     element.addEventListener("wheel", wheel, { passive: false });
     return () => element.removeEventListener("wheel", wheel);
   }, []);
-  const bands = bandsHeight(settings.machines);
+  const bands = bandsHeight(machines());
   const { onWheel, ...handlers } = pointer;
   return (
     <div class="fill column timeline">
@@ -271,7 +264,7 @@ function Timeline() {
           <Canvas
             interval={100}
             label="States, commands, edits and notes over time"
-            draw={(context, width) => drawBands(context, store, settings.machines, range(), width, theme.isDark)}
+            draw={(context, width) => drawBands(context, store, machines(), range(), width, theme.isDark)}
           />
         </div>
         <Canvas className="cursor" interval={33} label="Cursor of the timeline" draw={drawCursor} />
