@@ -107,15 +107,31 @@ export function confidencePlot(element, width, height, range) {
   return new uPlot(options, [[], [], []], element);
 }
 
+/// Indices of frames between two: all of them, or for each of many equal parts those with the least and the most
+/// evidence, so that a short peak is visible in a long time. Parts begin at multiples of their length since the start,
+/// so that the same frames are chosen while the view moves.
+function chosenFrames(store, first, last) {
+  const part = 2 * Math.ceil((last - first) / MOST_POINTS);
+  const begin = part > 2 ? first - ((first + store.droppedFrames) % part) : first;
+  const chosen = [];
+  for (let i = Math.max(0, begin); i <= last; i += part > 2 ? part : 1) {
+    let [least, most] = [i, i];
+    for (let j = i; part > 2 && j < Math.min(i + part, last + 1); ++j) {
+      if (store.frames[j].evidence < store.frames[least].evidence) least = j;
+      if (store.frames[j].evidence > store.frames[most].evidence) most = j;
+    }
+    chosen.push(Math.min(least, most));
+    if (least !== most) chosen.push(Math.max(least, most));
+  }
+  return chosen;
+}
+
 /// The columns of the plots between two times: {evidence, confidence}.
 export function columnsOf(store, from, to) {
   const first = Math.max(0, store.indexAt(from));
   const last = Math.min(store.frames.length - 1, store.indexAt(to) + 1);
-  const stride = Math.max(1, Math.ceil((last - first) / MOST_POINTS));
   const [time, above, under, evidence, current, opposite] = [[], [], [], [], [], []];
-  // Strides begin at multiples of frames since the start, so that the same points are chosen while the view moves.
-  const begin = first - ((first + store.droppedFrames) % stride);
-  for (let i = Math.max(0, begin); i <= last; i += stride) {
+  for (const i of chosenFrames(store, first, last)) {
     const frame = store.frames[i];
     if (!frame?.pose) continue;
     const value = frame.evidence ?? null;
