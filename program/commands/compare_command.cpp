@@ -55,7 +55,9 @@ Subcommand add_compare(CLI::App& experiment) {
       parser->add_option("--from", options->from, "first choice of --axis")->type_name("CHOICE")->needs(axis);
   CLI::Option* const to =
       parser->add_option("--to", options->to, "second choice of --axis")->type_name("CHOICE")->needs(axis);
-  axis->needs(from)->needs(to);
+  // One option each, because the parser reports the first missing one by its address.
+  axis->needs(from);
+  from->needs(to);
   return {parser, [options](std::ostream& out, std::ostream&) {
             print_comparison(paired_rows(*options), out);
             return kSuccess;
