@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "program/program_output.h"
 
+#include <algorithm>
 #include <cstdlib>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "engine/parameters/utf8.h"
 
 namespace reorient {
 
@@ -37,6 +41,23 @@ void print_colored(std::ostream& out, Color color, std::string_view text) {
 }
 
 void clear_terminal_line(std::ostream& out) { print_control(out, "\r\x1B[K"); }
+
+std::optional<int> terminal_columns(int descriptor) {
+  constexpr int kMost = 2000;
+  winsize size{};
+  if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  if (size.ws_col > kMost || size.ws_row > kMost) return std::nullopt;
+  return size.ws_col;
+}
+
+std::string fitted_to_terminal(std::string line, int descriptor) {
+  // A terminal may begin the next row as soon as a row is full.
+  const auto most = static_cast<std::size_t>(std::max(1, terminal_columns(descriptor).value_or(80) - 1));
+  if (line.size() <= most) return line;
+  line.resize(most);
+  while (!is_utf8(line)) line.pop_back();
+  return line;
+}
 
 /// NO_COLOR: https://no-color.org
 bool are_colors_printed(std::string_view asked, int descriptor) {

@@ -2,8 +2,10 @@
 // The streams of the program: text, and the program's own control sequences, which only it may send to a terminal.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <streambuf>
+#include <string>
 #include <string_view>
 
 namespace reorient {
@@ -31,6 +33,12 @@ void print_colored(std::ostream& out, Color color, std::string_view text);
 
 /// Clears the line of the terminal, behind everything that the stream contains so far.
 void clear_terminal_line(std::ostream& out);
+
+/// Columns of a terminal: 80 if it does not know, nothing for a size that no terminal has.
+std::optional<int> terminal_columns(int descriptor);
+
+/// The beginning of a line of text that fits into one row of the terminal, which could not overwrite more.
+std::string fitted_to_terminal(std::string line, int descriptor);
 
 /// Whether to print colors to a descriptor. `asked`: always, never or auto (on a terminal, unless NO_COLOR is set).
 bool are_colors_printed(std::string_view asked, int descriptor);

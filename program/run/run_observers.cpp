@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "program/log.h"
 #include "program/program_output.h"
 #include "workbench/run/log_lines.h"
@@ -76,11 +77,15 @@ void Progress::observe(const FrameRecord& frame, const SceneTruth& scene) {
   for (const MachineStatus& machine : scene.scenario.machines)
     states += "  " + scene.scenario.name(machine.machine) + ": " + scene.scenario.name(machine.state);
   const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const Confidences& confidence = frame.world.confidence;
-  if (terminal_) clear_terminal_line(err_);
-  err_ << fmt::format("{:6.1f} s  current {:.2f}  opposite {:.2f}{}  {:.1f}x real time{}", time, confidence.current,
-                      confidence.opposite, states, (time - *first_time_) / passed, terminal_ ? "" : "\n")
-       << std::flush;
+  const std::string line =
+      fmt::format("{:6.1f} s  {:.1f}x real time  evidence {:+.1f} ({}){}", time, (time - *first_time_) / passed,
+                  frame.world.confidence.evidence, to_string(frame.world.room_status), as_line(states));
+  if (terminal_) {
+    clear_terminal_line(err_);
+    err_ << fitted_to_terminal(line, STDERR_FILENO) << std::flush;
+  } else {
+    err_ << line << '\n' << std::flush;
+  }
 }
 
 void Progress::make_room() {

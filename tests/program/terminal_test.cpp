@@ -92,6 +92,21 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunContinues) {
   EXPECT_EQ(run->wait(), 0) << "a normal end";
 }
 
+/// A longer line could not be overwritten, and left a line behind twice a second.
+TEST_F(AtATerminal, TheStatusLineFitsIntoOneRow) {
+  constexpr unsigned short kColumns = 40;
+  run->resize(kColumns, 24);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(run->await("evidence"));  // the line that was begun before
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(run->await("evidence"));
+    const std::string before = run->passed();
+    ASSERT_TRUE(run->await("\r"));
+    const std::string clear = "\x1B[K";
+    const std::string line = before.substr(before.rfind(clear) + clear.size()) + "evidence" + run->passed();
+    EXPECT_LT(line.size(), kColumns) << line;
+  }
+}
+
 TEST_F(AtATerminal, NeedsNoMemoryForASizeThatNoTerminalHas) {
   run->resize(65535, 65535);
   run->type("\n");

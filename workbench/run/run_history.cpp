@@ -11,7 +11,8 @@ void RunHistory::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const World& world = frame.world;
   if (frames_++ % stride_ == 0) {
     const Confidences& c = world.confidence;
-    points_.push_back({world.time, c.current, c.opposite, c.raw_current, c.raw_opposite});
+    points_.push_back(
+        {world.time, c.current, c.opposite, c.raw_current, c.raw_opposite, c.evidence, world.room_status});
   }
   if (points_.size() >= kMostPoints) {
     for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];

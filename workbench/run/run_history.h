@@ -19,6 +19,8 @@ struct ConfidencePoint {
   double opposite = 0.0;
   double raw_current = 0.0;
   double raw_opposite = 0.0;
+  double evidence = 0.0;  ///< log-odds of the mirrored pose against the believed pose
+  RoomStatus status = RoomStatus::resting;
 };
 
 /// The conditions whose intervals are stored.

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include <spdlog/spdlog.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "engine/parameters/utf8.h"
@@ -70,16 +69,6 @@ int rows_above_cursor(EditLine* editor, int columns) {
   return width / columns;
 }
 
-/// Columns of the terminal; nothing for a size that no terminal has. libedit allocates memory for each place on the
-/// terminal, so it must not see such a size.
-std::optional<int> columns_of(int descriptor) {
-  constexpr int kMost = 2000;
-  winsize size{};
-  if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
-  if (size.ws_col > kMost || size.ws_row > kMost) return std::nullopt;
-  return size.ws_col;
-}
-
 /// A file that passes on to a stream what is written to it.
 std::FILE* file_of(std::ostream& out) {
   constexpr cookie_io_functions_t kFunctions{nullptr,
@@ -103,10 +92,11 @@ std::string common_beginning(const Words& words) {
 }  // namespace
 
 bool LineEditor::is_possible(int descriptor) {
+  // libedit allocates memory for each place on the terminal, so it must not see a size that no terminal has.
   const char* const terminal = std::getenv("TERM");
   const bool is_able = terminal != nullptr && *terminal != '\0' && std::string_view(terminal) != "dumb";
-  return is_able && isatty(descriptor) == 1 && isatty(STDOUT_FILENO) == 1 && columns_of(descriptor) &&
-         columns_of(STDOUT_FILENO);
+  return is_able && isatty(descriptor) == 1 && isatty(STDOUT_FILENO) == 1 && terminal_columns(descriptor) &&
+         terminal_columns(STDOUT_FILENO);
 }
 
 LineEditor::LineEditor(int descriptor, std::ostream& out, Candidates candidates,
@@ -281,7 +271,7 @@ void LineEditor::list(const Words& names) {
 }
 
 void LineEditor::follow_size() {
-  const std::optional<int> columns = columns_of(descriptor_);
+  const std::optional<int> columns = terminal_columns(descriptor_);
   if (!columns || *columns == std::exchange(columns_, *columns)) return;
   el_resize(editor_.get());
   if (line_ != Line::shown) return;
@@ -295,7 +285,7 @@ void LineEditor::show() {
   if (line_ == Line::hidden) {
     el_set(editor_.get(), EL_REFRESH);
   } else {
-    columns_ = columns_of(descriptor_).value_or(columns_);
+    columns_ = terminal_columns(descriptor_).value_or(columns_);
     el_set(editor_.get(), EL_UNBUFFERED, 0);
     el_set(editor_.get(), EL_UNBUFFERED, 1);  // begins a line, and shows the prompt
     TerminalGuard::remember_own_modes();

@@ -78,6 +78,26 @@ TEST(ConfidencePlot, DrawsALaneForEachConditionAndShadesTimesWithALiftedRobot) {
   EXPECT_TRUE(is_similar(draw_confidence_plot(plot).at(kLeft + 640, kTop + 210), palette::page));
 }
 
+TEST(ConfidencePlot, DrawsTheEvidenceOnItsSideAndTheStatusOfTheRoom) {
+  constexpr int kZero = 681, kTopOfEvidence = 606, kBottomOfEvidence = 756, kStatus = 784;
+  ConfidencePlot plot = ten_seconds(0.8, 0.1);
+  for (ConfidencePoint& sample : plot.samples) {
+    sample.evidence = 100.0;
+    sample.status = RoomStatus::usable;
+  }
+  const auto ink = [&](int from, int to) {
+    return count(draw_confidence_plot(plot), palette::goal_area, kLeft + 100, from, kRight - 100, to);
+  };
+  EXPECT_GT(ink(kTopOfEvidence, kZero - 10), 1000) << "for the mirrored pose";
+  EXPECT_EQ(ink(kZero + 10, kBottomOfEvidence), 0);
+  const Color usable = draw_confidence_plot(plot).at(kLeft + 100, kStatus);
+  for (ConfidencePoint& sample : plot.samples) sample.evidence = -100.0;
+  EXPECT_EQ(ink(kTopOfEvidence, kZero - 10), 0);
+  EXPECT_GT(ink(kZero + 10, kBottomOfEvidence), 1000);
+  for (ConfidencePoint& sample : plot.samples) sample.status = RoomStatus::symmetric;
+  EXPECT_FALSE(is_similar(draw_confidence_plot(plot).at(kLeft + 100, kStatus), usable));
+}
+
 TEST(ConfidencePlot, StaysWithinItsAxesForAnyValues) {
   ConfidencePlot plot = ten_seconds(1e30, -1e30);
   plot.samples.push_back({kNaN, 0.5, 0.5, 0.5, 0.5});

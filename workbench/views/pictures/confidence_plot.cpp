@@ -16,8 +16,11 @@ namespace {
 constexpr int kPlotWidth = 1500;
 constexpr double kLeft = 196.0;  // space for the names of the lanes
 constexpr double kRight = kPlotWidth - 36.0;
-constexpr double kTop = 176.0;     // below title, legend and names of commands
-constexpr double kCurves = 400.0;  // height
+constexpr double kTop = 176.0;       // below title, legend and names of commands
+constexpr double kCurves = 400.0;    // height
+constexpr double kEvidence = 150.0;  // height
+constexpr double kEvidenceTop = kTop + kCurves + 30.0;
+constexpr double kLanesTop = kEvidenceTop + kEvidence + 16.0;
 constexpr double kLane = 28.0;
 constexpr int kLabelLanes = 2;
 constexpr double kRefusedApart = 5.0;  // pixels; refusals in successive frames are drawn as one
@@ -42,6 +45,23 @@ LaneStyle lane_style(RunCondition condition) {
       return {"fallen", {230, 126, 34}, true};
   }
   return {"", palette::cluster, false};
+}
+
+Color status_color(RoomStatus status) {
+  switch (status) {
+    case RoomStatus::usable:
+      return {64, 160, 92};
+    case RoomStatus::unlearned:
+    case RoomStatus::fresh:
+      return {240, 190, 70};
+    case RoomStatus::symmetric:
+    case RoomStatus::lost:
+      return palette::opposite;
+    case RoomStatus::off:
+    case RoomStatus::resting:
+      return palette::cluster;
+  }
+  return palette::cluster;
 }
 
 struct TimeAxis {
@@ -83,6 +103,23 @@ double tick_step(double range, int most) {
 }
 
 double confidence_y(double confidence) { return kTop + (1.0 - std::clamp(confidence, -0.02, 1.02)) * kCurves; }
+
+/// Logarithmic at both ends, so that a decision is visible beside the evidence of a well-known room.
+double evidence_y(double evidence) {
+  constexpr double kLinear = 3.0, kMost = 300.0;  // log-odds
+  const double share = std::asinh(std::clamp(evidence, -kMost, kMost) / kLinear) / std::asinh(kMost / kLinear);
+  return kEvidenceTop + 0.5 * (1.0 - share) * kEvidence;
+}
+
+void draw_evidence_axis(Canvas& canvas) {
+  const TextStyle label{.size = 18.0, .color = palette::faint_ink, .align = Align::right};
+  for (const int evidence : {-100, -10, 0, 10, 100}) {
+    const double y = evidence_y(evidence);
+    canvas.line({kLeft, y}, {kRight, y}, evidence == 0 ? palette::faint_ink : palette::grid, 1.0);
+    canvas.text({kLeft - 10.0, y + 6.0}, std::to_string(evidence), label);
+  }
+  canvas.text({kLeft - 60.0, evidence_y(0.0) + 6.0}, "evidence", {.size = 20.0, .align = Align::right});
+}
 
 void draw_axes(Canvas& canvas, const TimeAxis& axis, double bottom) {
   const TextStyle label{.size = 18.0, .color = palette::faint_ink, .align = Align::right};
@@ -136,7 +173,7 @@ void shade_curves(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& pl
 
 void draw_lanes(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot,
                 const std::vector<RunCondition>& lanes) {
-  double top = kTop + kCurves + 14.0;
+  double top = kLanesTop + kLane;
   for (const RunCondition condition : lanes) {
     const LaneStyle style = lane_style(condition);
     canvas.text({kLeft - 10.0, top + 17.0}, style.name, {.size = 17.0, .align = Align::right});
@@ -150,13 +187,31 @@ void draw_lanes(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot
   }
 }
 
+/// A lane whose color is the status, with its name where there is space.
+void draw_status(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot) {
+  canvas.text({kLeft - 10.0, kLanesTop + 17.0}, "room", {.size = 17.0, .align = Align::right});
+  canvas.fill_box({kLeft, kLanesTop + 2.0, kRight - kLeft, kLane - 8.0}, palette::empty_plate);
+  const std::vector<ConfidencePoint>& samples = plot.samples;
+  for (std::size_t i = 0, next = 0; i < samples.size(); i = next) {
+    while (next < samples.size() && samples[next].status == samples[i].status) ++next;
+    const double left = axis.x(samples[i].time), right = axis.x(samples[std::min(next, samples.size() - 1)].time);
+    if (!(right >= left)) continue;  // a time that is not a number
+    canvas.fill_box({left, kLanesTop + 2.0, std::max(right - left, 1.0), kLane - 8.0},
+                    status_color(samples[i].status).with_opacity(0.55));
+    const TextStyle style{.size = 15.0, .align = Align::center};
+    const std::string name(to_string(samples[i].status));
+    if (Canvas::text_width(name, style) + 8.0 < right - left)
+      canvas.text({(left + right) / 2.0, kLanesTop + 17.0}, name, style);
+  }
+}
+
 void draw_curve(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double ConfidencePoint::*value,
-                Color color, double thickness) {
+                double (*y_of)(double), Color color, double thickness) {
   std::vector<Pixel> points;
   points.reserve(plot.samples.size());
   for (const ConfidencePoint& sample : plot.samples) {
-    const double confidence = sample.*value;  // clamping would hide a NaN
-    points.emplace_back(axis.x(sample.time), std::isfinite(confidence) ? confidence_y(confidence) : confidence);
+    const double y = sample.*value;  // clamping would hide a NaN
+    points.emplace_back(axis.x(sample.time), std::isfinite(y) ? y_of(y) : y);
   }
   canvas.polyline(points, color, thickness);
 }
@@ -207,7 +262,8 @@ std::vector<LegendEntry> entries(const ConfidencePlot& plot) {
     };
   };
   std::vector<LegendEntry> list{{curves(palette::belief), "current pose (bold: smoothed, pale: raw)"},
-                                {curves(palette::opposite), "opposite pose"}};
+                                {curves(palette::opposite), "opposite pose"},
+                                line_entry(palette::goal_area, 3.0, "evidence (log-odds of the mirrored pose)")};
   const auto dashed = [](Canvas& canvas, const Pixel& center) {
     canvas.dashed_line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), palette::faint_ink, 1.5, 6.0);
   };
@@ -229,23 +285,29 @@ ConfidencePlot confidence_plot_of(const RunHistory& history) {
 Picture draw_confidence_plot(const ConfidencePlot& plot) {
   const TimeAxis axis = time_axis(plot);
   const std::vector<RunCondition> lanes = lanes_of(plot);
-  const double lanes_height = lanes.empty() ? 0.0 : 14.0 + kLane * static_cast<double>(lanes.size());
-  const double bottom = kTop + kCurves + lanes_height;
+  const double bottom = kLanesTop + kLane * static_cast<double>(1 + lanes.size());
   Canvas canvas(kPlotWidth, static_cast<int>(bottom + 76.0));
 
-  canvas.text({36.0, 54.0}, "Confidence in the believed pose and in the mirrored pose", {.size = 28.0, .bold = true});
+  canvas.text({36.0, 54.0}, "Confidences and evidence for the believed and the mirrored pose",
+              {.size = 28.0, .bold = true});
   draw_legend_rows(canvas, {32.0, 74.0, kPlotWidth - 64.0, 34.0}, entries(plot));
   draw_axes(canvas, axis, bottom);
+  draw_evidence_axis(canvas);
   shade_curves(canvas, axis, plot);
+  draw_status(canvas, axis, plot);
   draw_lanes(canvas, axis, plot, lanes);
   const Box curves{kLeft, kTop - 12.0, kRight - kLeft + 2.0, kCurves + 24.0};
   canvas.within(curves, [&] {
-    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_opposite, palette::opposite.with_opacity(0.3), 1.0);
-    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_current, palette::belief.with_opacity(0.3), 1.0);
-    draw_curve(canvas, axis, plot, &ConfidencePoint::opposite, palette::opposite, 3.5);
-    draw_curve(canvas, axis, plot, &ConfidencePoint::current, palette::belief, 3.5);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_opposite, confidence_y, palette::opposite.with_opacity(0.3),
+               1.0);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_current, confidence_y, palette::belief.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::opposite, confidence_y, palette::opposite, 3.5);
+    draw_curve(canvas, axis, plot, &ConfidencePoint::current, confidence_y, palette::belief, 3.5);
   });
-  draw_commands(canvas, axis, plot, kTop + kCurves);
+  const Box evidence{kLeft, kEvidenceTop, kRight - kLeft + 2.0, kEvidence};
+  canvas.within(evidence,
+                [&] { draw_curve(canvas, axis, plot, &ConfidencePoint::evidence, evidence_y, palette::goal_area, 3.0); });
+  draw_commands(canvas, axis, plot, kEvidenceTop + kEvidence);
   return canvas.finish();
 }
 

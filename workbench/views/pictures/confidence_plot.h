@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The confidences in the current and in the opposite pose over time (the paper's Fig. 4c).
+// The confidences in the current and in the opposite pose over time (the paper's Fig. 4c), and the evidence and the
+// status of the room, on which behaviors decide.
 #pragma once
 
 #include <string>
