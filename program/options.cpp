@@ -90,7 +90,7 @@ void add_body_options(CLI::App& parser, std::filesystem::path& body, std::filesy
       ->type_name("FILE")
       ->group(kRobotGroup)
       ->check(check_not_empty);
-  parser.add_option("--field", field, "field: a file, or a name in assets/fields (default: the scenario's or body's)")
+  parser.add_option("--field", field, "field: a file, or a name in assets/fields (default: scenario's or body's)")
       ->type_name("FILE")
       ->group(kRobotGroup)
       ->check(check_not_empty);

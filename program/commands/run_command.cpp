@@ -209,6 +209,7 @@ void add_options(CLI::App& run, RunOptions& options) {
   add_parameter_options(run, options.parameters);
   add_scripts_option(run, options.scripts);
   add_output_options(run, options);
+  add_live_options(run, options.live, kRunGroup);
 }
 
 /// A set of robots.
@@ -322,6 +323,8 @@ class RunHelp : public HelpFormatter {
 
  protected:
   bool is_listed(const CLI::Option& option) const override {
+    // The page of footage is full, and the pages of the other robots list it.
+    if (options_->robot == kFootage && option.check_name("--live-allow-origin")) return false;
     return HelpFormatter::is_listed(option) && (robots_that_use(option) & robot_named(options_->robot)) != 0;
   }
 
@@ -397,6 +400,9 @@ Subcommand add_run(CLI::App& program) {
   add_options(*parser, *options);
   return {parser, [parser, options](std::ostream& out, std::ostream& err) {
             options->scripts = scripts_root(options->scripts);
+            find_live(*parser, options->live);
+            if (parser->get_option("--view-images")->count() > 0) options->live.images = options->view_images;
+            options->realtime = options->realtime || options->live.is_on;
             refuse_unused_options(*parser, options->robot);
             require_different_files(*options);
             if (options->robot == kFootage) return run_footage(*options, out, err);

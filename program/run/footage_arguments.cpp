@@ -154,7 +154,7 @@ std::vector<std::string> add_footage_reading_options(CLI::App& parser, FootageAr
       ->check(check_not_empty);
   parser
       .add_option("--fov-degrees", arguments.fov_degrees,
-                  "horizontal field of view, no distortion (default: the body's camera)")
+                  "horizontal field of view, undistorted (default: body's camera)")
       ->type_name("N")
       ->group(kFootageGroup)
       ->check(CLI::Range(10.0, 170.0));

@@ -9,6 +9,7 @@
 #include "program/robots.h"
 #include "program/safe_output.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/views/live/live_view.h"
 
 namespace reorient {
 
@@ -44,6 +45,10 @@ RunEnd LiveRun::run(LiveRunParts live) {
   if (live.edits != nullptr) {
     live.parts.sources.insert(live.parts.sources.begin(), {live.edits, &console_});
     observers.push_back(&console_);
+  }
+  if (live.live != nullptr) {
+    live.parts.sources.insert(live.parts.sources.begin() + (live.edits != nullptr ? 2 : 0), live.live);
+    observers.push_back(live.live);
   }
   live.parts.stop = [this, stop = std::move(live.parts.stop)] {
     return is_ended_by_hand(console_) || (stop && stop());

@@ -19,6 +19,8 @@
 
 namespace reorient {
 
+class LiveView;
+
 /// A robot and an engine that are ready to run. The objects that it points to must outlive the run.
 struct LiveRunParts {
   RunParts parts;                            ///< with the sources and observers of this robot only
@@ -26,6 +28,7 @@ struct LiveRunParts {
   std::optional<SavedModel> model;           ///< from the file that the options name
   std::uint64_t mounting = 0;                ///< of the cameras, as in as_mounted()
   std::optional<RecorderOptions> recording;  ///< nothing: none
+  LiveView* live = nullptr;                  ///< nullptr: none
 };
 
 /// One run of one engine. One console may serve several runs, one after the other.

@@ -12,6 +12,7 @@
 #include "perception/room/saved_model.h"
 #include "program/run/engine_setup.h"
 #include "program/run/footage_arguments.h"
+#include "program/run/live/live_options.h"
 
 namespace reorient {
 
@@ -68,6 +69,7 @@ struct RunOptions : SimulationOptions {
   std::filesystem::path json;             ///< empty: no summary for programs
   std::filesystem::path save_parameters;  ///< empty: parameters are not saved
   bool every_transition = false;
+  LiveOptions live;
 };
 
 }  // namespace reorient

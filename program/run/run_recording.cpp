@@ -44,13 +44,6 @@ int images_every(const std::string& option) {
                            "'");
 }
 
-/// "jpeg:75": 75, "none": 0.
-int jpeg_quality(const std::string& option) {
-  if (option == "none") return 0;
-  if (const auto quality = number_behind("jpeg:", option, 100)) return *quality;
-  throw std::runtime_error("--view-images: expected jpeg:Q (a quality from 1 to 100) or none, found '" + option + "'");
-}
-
 int particles_every(const std::string& option) {
   if (option == "none") return 0;
   if (const auto every = number_behind("every:", option, kMostFrames)) return *every;
@@ -116,10 +109,16 @@ void require_new_or_recording(const std::filesystem::path& file, const std::stri
       ": expected a new file or a recording, found another file, which was not changed; name another one");
 }
 
+int viewer_image_quality(const std::string& mode, const std::string& option) {
+  if (mode == "none") return 0;
+  if (const auto quality = number_behind("jpeg:", mode, 100)) return *quality;
+  throw std::runtime_error(option + ": expected jpeg:Q (a quality from 1 to 100) or none, found '" + mode + "'");
+}
+
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
   RecorderOptions recorder;
   recorder.images_every = images_every(options.record_images);
-  recorder.jpeg_quality = jpeg_quality(options.view_images);
+  recorder.jpeg_quality = viewer_image_quality(options.view_images, "--view-images");
   recorder.particles_every = particles_every(options.view_particles);
   if (options.record.empty()) return std::nullopt;
   require_writable_file(options.record, "--record");

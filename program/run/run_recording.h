@@ -13,6 +13,9 @@
 
 namespace reorient {
 
+/// "jpeg:75": 75, "none": 0. `option`: its name. Throws std::runtime_error with one line.
+int viewer_image_quality(const std::string& mode, const std::string& option);
+
 /// The options of `--record` and related options; nothing: no recording. `venue`: for the user. Throws
 /// std::runtime_error with one line, also if the file cannot be written.
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue);

@@ -2,6 +2,7 @@
 #include "program/run/run_scenario.h"
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -14,6 +15,7 @@
 #include "program/interruption.h"
 #include "program/output_mailbox.h"
 #include "program/run/console/history_file.h"
+#include "program/run/live/run_live_view.h"
 #include "program/run/report.h"
 #include "program/run/simulation.h"
 #include "program/safe_output.h"
@@ -51,8 +53,10 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   std::optional<OutputMailbox> mailbox;
   if (options.realtime) mailbox.emplace(out, err);
   LiveConsole console(STDIN_FILENO, out, run.subject, history_path());
+  const LiveViewPointer view = start_live_view(options.live, LiveLoad::usual, run.subject, options.scripts, console, err);
   LiveRun live(options, console, out, err);
 
+  run.live.live = view.get();
   RunParts& parts = run.live.parts;
   parts.observers = {&summary, &commands, &frame_times, &digest};
   if (options.pictures) parts.observers.push_back(&pictures);
@@ -99,6 +103,7 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   if (!options.save_parameters.empty()) out << "parameters: " << as_line(options.save_parameters.string()) << "\n";
   if (live.model() != nullptr)
     out << "model: " << as_line(options.model.string()) << " (" << live.model()->outcome() << ")\n";
+  end_live_view(view.get(), out);
   print_summary(result, circumstances, out);
   for (const std::string& failure : failures) print_error(err, failure);
   return exit_code_of_runs(failures, result.succeeded || has_quit);

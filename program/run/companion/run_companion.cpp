@@ -23,6 +23,7 @@
 #include "program/run/companion/state_file.h"
 #include "program/run/console/history_file.h"
 #include "program/run/console/name_pattern.h"
+#include "program/run/live/run_live_view.h"
 #include "program/run/live_run.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
@@ -150,14 +151,17 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   // The prompt's engine changes with each client of another robot.
   FrameLoop* engine_now = nullptr;
   const OutputMailbox mailbox(out, err);
-  LiveConsole console(
-      STDIN_FILENO, out,
-      {.parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
-       .scripts = [&] { return edits.known(); },
-       .running = [&] { return engine_now != nullptr ? &engine_now->scripts() : nullptr; }},
-      history_path());
+  const ConsoleSubject subject{
+      .parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
+      .scripts = [&] { return edits.known(); },
+      .running = [&] { return engine_now != nullptr ? &engine_now->scripts() : nullptr; }};
+  LiveConsole console(STDIN_FILENO, out, subject, history_path());
+  const LiveViewPointer view = start_live_view(options.live, LiveLoad::usual, subject, options.scripts, console, err);
   const auto is_over = [&] {
-    if (engine_now == nullptr) console.poll_without_robot();
+    if (engine_now == nullptr) {
+      console.poll_without_robot();
+      poll_without_robot(view.get());
+    }
     return is_ended_by_hand(console);
   };
   LiveRun* live_now = nullptr;
@@ -220,7 +224,8 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     live.run({.parts = {.robot = instance, .engine = *engine, .sources = {}, .observers = {&report}, .stop = {}},
               .edits = &edits,
               .model = model,
-              .recording = recording_options});
+              .recording = recording_options,
+              .live = view.get()});
     if (robot->any_frame()) keeper.finish(*engine, companion);
     live.end_recording();
     if (live.model() != nullptr) {
@@ -233,6 +238,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     live_now = nullptr;
     if (is_over() || !companion.has_other_robot()) break;
   }
+  end_live_view(view.get(), out);
   const Companion::Counts& counts = companion.counts();
   out << fmt::format("{} of {}: {} superseded by newer ones, {} unusable; {} not sent\n",
                      counted(counts.frames, "frame"), counted(counts.clients, "client"), counts.superseded,

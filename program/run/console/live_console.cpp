@@ -43,6 +43,11 @@ void LiveConsole::add_to(FrameInputs& inputs) {
   }
 }
 
+Reply LiveConsole::ask(const Words& words) {
+  FrameInputs unchanged;
+  return table_.obey(words, unchanged);
+}
+
 void LiveConsole::poll_without_robot() {
   if (wants_to_quit()) return;
   const std::optional<std::string> line = next_line();

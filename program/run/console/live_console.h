@@ -28,6 +28,9 @@ class LiveConsole : public InputSource, public Observer {
   void finish(const FrameRecord& last, const SceneTruth& scene) override;
   Topics wanted() const override;
 
+  /// Executes a command that changes nothing, for another part of the program. Throws std::runtime_error with one line.
+  Reply ask(const Words& words);
+
   /// Call instead of add_to() and observe() while no robot is connected: executes only `quit`.
   void poll_without_robot();
 

@@ -16,6 +16,7 @@
 #include "program/interruption.h"
 #include "program/output_mailbox.h"
 #include "program/run/console/history_file.h"
+#include "program/run/live/run_live_view.h"
 #include "program/run/live_run.h"
 #include "program/run/nao/nao_hardware.h"
 #include "program/run/places.h"
@@ -110,11 +111,11 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
 
   const OutputMailbox mailbox(out, err);
-  LiveConsole console(STDIN_FILENO, out,
-                      {.parameters = [&] { return engine.parameters(); },
-                       .scripts = [&] { return edits.known(); },
-                       .running = [&] { return &engine.scripts(); }},
-                      history_path());
+  const ConsoleSubject subject{.parameters = [&] { return engine.parameters(); },
+                               .scripts = [&] { return edits.known(); },
+                               .running = [&] { return &engine.scripts(); }};
+  LiveConsole console(STDIN_FILENO, out, subject, history_path());
+  const LiveViewPointer view = start_live_view(options.live, LiveLoad::light, subject, options.scripts, console, err);
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
   LiveRun live(options, console, out, err);
   auto robot =
@@ -130,8 +131,10 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
             .edits = &edits,
             .model = model,
             .mounting = mounting,
-            .recording = std::move(recording_options)});
+            .recording = std::move(recording_options),
+            .live = view.get()});
   live.end_recording();
+  end_live_view(view.get(), out);
   std::vector<std::string> failures;
   live.save_model(failures);
   for (const std::string& failure : failures) print_error(err, failure);

@@ -177,7 +177,7 @@ void WebServer::Parts::serve_viewer(mg_connection* connection) {
   const int socket = find_connection(port, info.remote_addr, info.remote_port);
   if (socket < 0) return;
   notice_vanished_peer(socket);
-  const auto mailbox = std::make_shared<ViewerMailbox>();
+  const auto mailbox = std::make_shared<ViewerMailbox>(options.mailbox);
   const bool is_one_too_many = is_full();
   {
     const std::lock_guard lock(mutex);

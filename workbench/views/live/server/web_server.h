@@ -33,6 +33,7 @@ struct WebServerOptions {
   std::vector<std::string> allowed_origins{};
   std::string token{};
   int most_viewers = 32;
+  ViewerMailbox::Limits mailbox{};
 };
 
 class WebServer {

@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: MIT
+// A run for viewers, frame by frame: what viewers receive and change, and that a frame never waits for them.
+#include "workbench/views/live/live_view.h"
+
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/record/record_bytes.h"
+#include "tests/engine/frame_fixture.h"
+#include "tests/paths.h"
+#include "tests/temporary_folder.h"
+#include "tests/waiting.h"
+#include "tests/workbench/views/live/test_viewer.h"
+#include "workbench/files/input_file.h"
+#include "workbench/views/live/services.h"
+
+namespace reorient::live {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kParameter = "field_features.pixel_deviation";
+
+/// The size of a message of data before its JSON.
+constexpr std::size_t kHeadOfData = 13;
+
+class ViewedRun : public ::testing::Test {
+ protected:
+  void start(LiveViewOptions options = {}) {
+    options.port = 0;
+    folder.write("scripts/behaviors/tested.lua", kIdle);
+    LiveSubject subject;
+    subject.parameters = [this] { return loop.engine->parameters(); };
+    subject.scripts = folder.path() / "scripts";
+    subject.ask = [](const std::vector<std::string>& words) -> PromptReply {
+      if (words.back() == "unknown") throw std::runtime_error("unknown machine 'unknown'");
+      return [words](const FrameRecord&, const SceneTruth&) { return words.front() + " answered"; };
+    };
+    live.emplace(options, subject);
+    const std::string link = live->link();
+    port = std::stoi(link.substr(link.rfind(':') + 1));
+    token = link.substr(link.rfind('=') + 1);
+  }
+  std::unique_ptr<TestViewer> connect(bool with_token = true) const {
+    auto viewer = std::make_unique<TestViewer>(port);
+    viewer->open(with_token ? token : "");
+    viewer->await_operation("advertiseServices");
+    return viewer;
+  }
+  /// Everything that the viewer sent before has arrived.
+  static void sync(TestViewer& viewer) {
+    viewer.send_text("sync");
+    viewer.await([](const Received& one) { return one.data.find("'sync'") != std::string::npos; });
+  }
+  const FrameRecord& step(int frames = 1) {
+    for (int i = 0; i < frames; ++i) {
+      live->add_to(loop.inputs);
+      live->before(loop.inputs, *loop.engine);
+      loop.wanted = live->wanted();
+      loop.step();
+      live->observe(loop.record(), scene);
+    }
+    return loop.record();
+  }
+  static void subscribe(const TestViewer& viewer, const std::vector<ViewerTopic>& topics) {
+    json all = json::array();
+    for (const ViewerTopic topic : topics) {
+      const auto channel = channel_of(static_cast<std::size_t>(topic));
+      all.push_back({{"id", 100 + channel}, {"channelId", channel}});
+    }
+    viewer.send_json({{"op", "subscribe"}, {"subscriptions", all}});
+  }
+  /// The next message of this topic.
+  static json await_data(TestViewer& viewer, ViewerTopic topic) {
+    const auto message = viewer.await([&](const Received& one) {
+      std::uint32_t id = 0;
+      if (one.opcode != kBinaryFrame || one.data.size() < kHeadOfData || one.data[0] != 1) return false;
+      std::memcpy(&id, one.data.data() + 1, sizeof id);
+      return id == 100 + channel_of(static_cast<std::size_t>(topic));
+    });
+    return message ? json::parse(message->data.substr(kHeadOfData)) : json();
+  }
+  double value(const std::string& name) const {
+    for (const Parameter& parameter : loop.engine->parameters()) {
+      if (parameter.name == name) return std::get<double>(parameter.value);
+    }
+    return -1.0;
+  }
+
+  TemporaryFolder folder;
+  HandFedLoop loop{kIdle};
+  SceneTruth scene;
+  std::optional<LiveView> live;
+  int port = 0;
+  std::string token;
+};
+
+TEST_F(ViewedRun, IntroducesItselfWithTopicsAndServices) {
+  start();
+  for (const char* name : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
+    TestViewer viewer(port);
+    EXPECT_TRUE(viewer.open(token, name).starts_with("HTTP/1.1 101 "));
+    const json info = viewer.receive()->json();
+    EXPECT_EQ(info["op"], "serverInfo");
+    EXPECT_EQ(info["capabilities"], json({"parameters", "parametersSubscribe", "services"}));
+    EXPECT_EQ(viewer.receive()->json()["channels"].size(), kViewerTopics.size());
+    const json services = viewer.receive()->json()["services"];
+    ASSERT_EQ(services.size(), kServices.size());
+    for (const json& service : services) {
+      for (const char* part : {"request", "response"})
+        EXPECT_EQ(json::parse(service[part]["schema"].get<std::string>())["type"], "object");
+    }
+  }
+}
+
+TEST_F(ViewedRun, CopiesNothingWithoutAViewer) {
+  start();
+  step(3);
+  EXPECT_EQ(live->wanted(), Topics());
+  const auto viewer = connect();
+  step();
+  EXPECT_EQ(live->wanted(), Topics()) << "a viewer without subscriptions";
+  subscribe(*viewer, {ViewerTopic::costs});
+  sync(*viewer);
+  step();
+  EXPECT_EQ(live->wanted(), Topics{Topic::costs});
+}
+
+TEST_F(ViewedRun, SendsEverySubscribedTopic) {
+  start();
+  scene.truth.emplace();
+  const auto viewer = connect();
+  const std::vector<ViewerTopic> topics{
+      ViewerTopic::transforms, ViewerTopic::pose,       ViewerTopic::pose_particles,    ViewerTopic::truth,
+      ViewerTopic::field,      ViewerTopic::wall,       ViewerTopic::upper_image,       ViewerTopic::upper_calibration,
+      ViewerTopic::world,      ViewerTopic::machines,   ViewerTopic::upper_annotations, ViewerTopic::request,
+      ViewerTopic::costs,      ViewerTopic::parameters, ViewerTopic::percepts};
+  for (const ViewerTopic topic : topics) {
+    subscribe(*viewer, {topic});
+    sync(*viewer);
+    step(static_cast<int>(kParticlesEvery));
+    EXPECT_TRUE(await_data(*viewer, topic).is_object()) << info(topic).name;
+    viewer->send_json(
+        {{"op", "unsubscribe"}, {"subscriptionIds", {100 + channel_of(static_cast<std::size_t>(topic))}}});
+    sync(*viewer);
+  }
+}
+
+TEST_F(ViewedRun, SendsLastingMessagesToLateSubscribersAtOnce) {
+  start();
+  const auto first = connect();
+  subscribe(*first, {ViewerTopic::field, ViewerTopic::upper_calibration});
+  sync(*first);
+  step();
+  EXPECT_TRUE(await_data(*first, ViewerTopic::field).is_object());
+  EXPECT_TRUE(await_data(*first, ViewerTopic::upper_calibration).is_object());
+  const auto second = connect();
+  subscribe(*second, {ViewerTopic::field});
+  EXPECT_TRUE(await_data(*second, ViewerTopic::field).is_object()) << "without another frame";
+}
+
+TEST_F(ViewedRun, SendsEventsOfAllFramesAlsoIfItShowsSome) {
+  start({.every = 1000});
+  step();
+  const auto viewer = connect();
+  subscribe(*viewer, {ViewerTopic::log, ViewerTopic::pose});
+  viewer->call(id_of(Service::note), 1, R"({"text":"now"})");
+  sync(*viewer);
+  step();
+  EXPECT_EQ(await_data(*viewer, ViewerTopic::log)["message"], "note: now");
+}
+
+TEST_F(ViewedRun, ChangesAParameterInTheNextFrame) {
+  start();
+  step();
+  const auto viewer = connect();
+  const double wanted = value(kParameter) * 1.5;
+  viewer->send_json({{"op", "setParameters"},
+                     {"id", "mine"},
+                     {"parameters", {{{"name", kParameter}, {"value", wanted}, {"type", "float64"}}}}});
+  sync(*viewer);
+  step();
+  EXPECT_EQ(value(kParameter), wanted) << "one frame after it arrived";
+  const json values = viewer->await_operation("parameterValues");
+  EXPECT_EQ(values["id"], "mine");
+  ASSERT_EQ(values["parameters"].size(), 1u);
+  EXPECT_EQ(values["parameters"][0]["value"], wanted);
+}
+
+TEST_F(ViewedRun, AnswersARefusedValueWithTheOneInForceAndTheReason) {
+  start();
+  step();
+  const double before = value(kParameter);
+  const auto viewer = connect();
+  for (const json& bad : {json(-1e9), json("many"), json(true), json(), json::array({1}), json::object()}) {
+    viewer->send_json({{"op", "setParameters"},
+                       {"id", "mine"},
+                       {"parameters", {{{"name", kParameter}, {"value", bad}}, {{"name", "no.such"}, {"value", 1}}}}});
+    sync(*viewer);
+    step();
+    const json values = viewer->await_operation("parameterValues");
+    ASSERT_EQ(values["parameters"].size(), 1u) << bad;
+    EXPECT_EQ(values["parameters"][0]["value"], before) << bad;
+    std::string reasons;
+    for (int i = 0; i < 2; ++i) {
+      const json status = viewer->await_operation("status");
+      EXPECT_EQ(status["level"], 1);
+      reasons += status["message"].get<std::string>();
+    }
+    EXPECT_NE(reasons.find(kParameter), std::string::npos) << reasons;
+    EXPECT_NE(reasons.find("no.such"), std::string::npos) << reasons;
+  }
+  EXPECT_EQ(value(kParameter), before);
+}
+
+TEST_F(ViewedRun, GetsAllParametersOrSome) {
+  start();
+  step();
+  const auto viewer = connect(false);
+  viewer->send_json({{"op", "getParameters"}, {"parameterNames", json::array()}, {"id", "all"}});
+  viewer->send_json({{"op", "getParameters"}, {"parameterNames", {kParameter, "no.such"}}, {"id", "one"}});
+  sync(*viewer);
+  step();
+  EXPECT_EQ(viewer->await_operation("parameterValues")["parameters"].size(), loop.engine->parameters().size());
+  const json one = viewer->await_operation("parameterValues");
+  EXPECT_EQ(one["id"], "one");
+  EXPECT_EQ(one["parameters"].size(), 1u);
+}
+
+TEST_F(ViewedRun, SendsChangesToViewersThatWatchThem) {
+  start();
+  step();
+  const auto watcher = connect(false), other = connect();
+  watcher->send_json({{"op", "getParameters"}, {"parameterNames", json::array()}});
+  watcher->send_json({{"op", "subscribeParameterUpdates"}, {"parameterNames", {kParameter}}});
+  sync(*watcher);
+  step();
+  watcher->await_operation("parameterValues");
+  other->call(id_of(Service::set_parameters), 1, json{{"parameters", {{{"name", kParameter}, {"value", 3.0}}}}}.dump());
+  sync(*other);
+  step();
+  json changed;
+  do {
+    changed = watcher->await_operation("parameterValues")["parameters"];
+  } while (!changed.is_null() && (changed.size() != 1 || changed[0]["value"] != 3.0));
+  EXPECT_EQ(changed[0]["name"], kParameter);
+}
+
+TEST_F(ViewedRun, AnswersEachServiceAsItsExampleShows) {
+  start();
+  step();
+  const auto viewer = connect();
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());  // `save` writes there
+  std::uint32_t call = 0;
+  for (const ServiceRow& row : kServices) {
+    std::string request(row.request);
+    // The names of the shipped scripts are those of the example.
+    for (const auto& [shipped, own] : std::map<std::string, std::string>{{"orientation.lingering", kParameter},
+                                                                         {"orientation.lua", "tested.lua"},
+                                                                         {"\"orientation\"", "\"tested\""}}) {
+      if (const std::size_t place = request.find(shipped); place != std::string::npos)
+        request.replace(place, shipped.size(), own);
+    }
+    viewer->call(id_of(row.service), ++call, request);
+    if (row.service != Service::scripts && row.service != Service::script) sync(*viewer);
+    step();
+    const json response = viewer->await_response(call);
+    const json shown = json::parse(row.response);
+    for (const auto& [member, example] : shown.items())
+      EXPECT_TRUE(response.contains(member)) << row.name << ": " << response.dump().substr(0, 300);
+  }
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "tuned.toml"));
+}
+
+TEST_F(ViewedRun, DescribesParametersForAPage) {
+  start();
+  step();
+  const auto viewer = connect(false);
+  viewer->call(id_of(Service::parameter_list), 1, "{}");
+  sync(*viewer);
+  step();
+  const json all = viewer->await_response(1)["parameters"];
+  ASSERT_EQ(all.size(), loop.engine->parameters().size());
+  for (const json& one : all) {
+    for (const char* member : {"name", "value", "default", "unit", "description", "origin", "type"})
+      EXPECT_TRUE(one.contains(member)) << one;
+    EXPECT_EQ(one.contains("min"), one["type"] == "real" || one["type"] == "integer") << one;
+  }
+}
+
+TEST_F(ViewedRun, UndoesChangesOfViewersOneAfterTheOther) {
+  start();
+  step();
+  const double before = value(kParameter);
+  const auto viewer = connect();
+  std::uint32_t call = 0;
+  const auto set = [&](double to) {
+    viewer->call(id_of(Service::set_parameters), ++call,
+                 json{{"parameters", {{{"name", kParameter}, {"value", to}}}}}.dump());
+    sync(*viewer);
+    step();
+    return viewer->await_response(call);
+  };
+  const auto undo = [&] {
+    viewer->call(id_of(Service::undo), ++call, "{}");
+    sync(*viewer);
+    step();
+    return viewer->await_response(call);
+  };
+  set(2.5);
+  set(3.5);
+  EXPECT_EQ(set(-1e9)["refused"].size(), 1u) << "a refused change is not undone";
+  EXPECT_EQ(undo()["parameters"][0]["value"], 2.5);
+  EXPECT_EQ(undo()["parameters"][0]["value"], before);
+  EXPECT_EQ(undo()["op"], "serviceCallFailure");
+  EXPECT_EQ(value(kParameter), before);
+}
+
+TEST_F(ViewedRun, IsNotChangedWithoutTheToken) {
+  start();
+  step();
+  const double before = value(kParameter);
+  const auto viewer = connect(false);
+  EXPECT_NE(viewer->await_operation("status")["message"].get<std::string>().find("token"), std::string::npos);
+  std::uint32_t call = 0;
+  for (const ServiceRow& row : kServices) {
+    if (!row.changes) continue;
+    viewer->call(id_of(row.service), ++call, std::string(row.request));
+    const json response = viewer->await_response(call);
+    EXPECT_EQ(response["op"], "serviceCallFailure") << row.name;
+    EXPECT_NE(response["message"].get<std::string>().find("token"), std::string::npos) << response;
+  }
+  viewer->send_json({{"op", "setParameters"}, {"id", "x"}, {"parameters", {{{"name", kParameter}, {"value", 3.0}}}}});
+  EXPECT_NE(viewer->await_operation("status")["message"].get<std::string>().find("token"), std::string::npos);
+  sync(*viewer);
+  step(2);
+  EXPECT_EQ(viewer->await_operation("parameterValues")["parameters"][0]["value"], before);
+  EXPECT_EQ(value(kParameter), before);
+}
+
+TEST_F(ViewedRun, RefusesHostileCallsWithOneLine) {
+  start();
+  step();
+  const auto viewer = connect();
+  std::uint32_t call = 0;
+  const auto failure = [&](std::uint32_t service, const std::string& payload, const std::string& encoding = "json") {
+    viewer->call(service, ++call, payload, encoding);
+    const json response = viewer->await_response(call);
+    EXPECT_EQ(response["op"], "serviceCallFailure") << payload.substr(0, 100) << response.dump().substr(0, 200);
+    return response.value("message", "");
+  };
+  EXPECT_NE(failure(0, "{}"), "");
+  EXPECT_NE(failure(kServiceCount + 1, "{}"), "");
+  EXPECT_NE(failure(id_of(Service::note), "{}", "cdr").find("json"), std::string::npos);
+  for (const char* payload : {"", "{", "[]", "{}", R"({"text":3})", R"({"text":""})"})
+    EXPECT_NE(failure(id_of(Service::note), payload), "") << payload;
+  EXPECT_NE(failure(id_of(Service::note), R"({"text":")" + std::string(1001, 'x') + "\"}").find("bytes"),
+            std::string::npos);
+  const std::string huge(100'000, 'x');
+  for (const auto& [service, member] : {std::pair{Service::why, "machine"}, {Service::world, "pattern"}})
+    EXPECT_NE(failure(id_of(service), json{{member, huge}}.dump()).find("bytes"), std::string::npos);
+  EXPECT_NE(failure(id_of(Service::script), json{{"file", huge}}.dump()).find("unknown script"), std::string::npos);
+  for (const char* file : {"", "/etc/passwd", "../scripts/behaviors/tested.lua", "behaviors/../behaviors/tested.lua",
+                           "behaviors", "behaviors/tested.lua\\u0000"})
+    EXPECT_NE(failure(id_of(Service::script), std::string(R"({"file":")") + file + "\"}").find("unknown script"),
+              std::string::npos)
+        << file;
+  for (const char* file : {"", ".toml", "../x.toml", "/tmp/x.toml", "x.lua", "a/b.toml", ".x.toml", "x .toml"})
+    EXPECT_NE(failure(id_of(Service::save), std::string(R"({"file":")") + file + "\"}").find(".toml"),
+              std::string::npos)
+        << file;
+  EXPECT_NE(failure(id_of(Service::reload), R"({"script":"no_such"})").find("unknown script"), std::string::npos);
+  viewer->call(id_of(Service::why), ++call, R"({"machine":"unknown"})");
+  sync(*viewer);
+  step();
+  EXPECT_NE(viewer->await_response(call).value("message", "").find("unknown machine"), std::string::npos);
+}
+
+TEST_F(ViewedRun, AnswersEveryMessageOfTheProtocol) {
+  start();
+  step();
+  const auto viewer = connect();
+  const auto warning = [&](const json& message) {
+    viewer->send_json(message);
+    const json status = viewer->await_operation("status");
+    EXPECT_EQ(status["level"], 1);
+    return status.value("message", "");
+  };
+  for (const char* op : {"advertise", "unadvertise", "subscribeConnectionGraph", "unsubscribeConnectionGraph"})
+    EXPECT_NE(warning({{"op", op}}).find("does not offer"), std::string::npos);
+  EXPECT_NE(
+      warning({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", 999}}}}}).find("unknown channel"),
+      std::string::npos);
+  subscribe(*viewer, {ViewerTopic::pose});
+  EXPECT_NE(warning({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", 2}}}}}), "")
+      << "the same channel twice";
+  EXPECT_NE(warning({{"op", "subscribe"}, {"subscriptions", {{{"id", 102}, {"channelId", 1}}}}}), "")
+      << "the same id twice";
+  EXPECT_NE(warning({{"op", "unsubscribe"}, {"subscriptionIds", {77}}}).find("unknown subscription"),
+            std::string::npos);
+  EXPECT_NE(warning({{"op", "setParameters"}, {"parameters", json::array()}}), "");
+  viewer->send_json({{"op", "fetchAsset"}, {"uri", "package://robot/nao.urdf"}, {"requestId", 5}});
+  const auto asset = viewer->await([](const Received& one) { return one.opcode == kBinaryFrame && one.data[0] == 4; });
+  ASSERT_TRUE(asset);
+  EXPECT_EQ(asset->data[5], 1);
+  viewer->send_bytes(client_frame(kBinaryFrame, std::string("\x01\x01\0\0\0{}", 7)));
+  EXPECT_NE(viewer->await_operation("status").value("message", "").find("does not offer"), std::string::npos);
+  viewer->send_bytes(client_frame(kBinaryFrame, std::string("\x03", 1) + std::string(18, '\0')));
+  EXPECT_NE(viewer->await_operation("status").value("message", "").find("replay"), std::string::npos);
+}
+
+TEST_F(ViewedRun, NeverWaitsForAViewerThatDoesNotRead) {
+  start({.viewer_bytes = 100'000});
+  const auto stalled = std::make_unique<TestViewer>(port, 4096);
+  stalled->open(token);
+  std::vector<ViewerTopic> topics;
+  for (const ViewerTopicInfo& topic : kViewerTopics) topics.push_back(topic.topic);
+  subscribe(*stalled, topics);
+  // The frames go on until the viewer's memory is full, and messages are dropped.
+  EXPECT_TRUE(await(
+      [&] {
+        step(20);
+        return live->counts().dropped_messages > 10;
+      },
+      std::chrono::milliseconds(0)));
+  const json status = [&] {
+    std::optional<Received> found = stalled->await([](const Received& one) {
+      return one.opcode == kTextFrame && one.data.find("Send buffer limit reached") != std::string::npos;
+    });
+    return found ? found->json() : json();
+  }();
+  EXPECT_EQ(status["message"], "Send buffer limit reached");
+}
+
+TEST_F(ViewedRun, RefusesManyAndHugeNamesWithoutDelay) {
+  start();
+  step();
+  const auto viewer = connect();
+  json many = json::array();
+  for (int i = 0; i < 201; ++i) many.push_back({{"name", "no.such" + std::to_string(i)}, {"value", 1}});
+  viewer->send_json({{"op", "setParameters"}, {"id", "many"}, {"parameters", many}});
+  viewer->send_json(
+      {{"op", "setParameters"}, {"id", "huge"}, {"parameters", {{{"name", std::string(500'000, 'x')}, {"value", 1}}}}});
+  sync(*viewer);
+  step();
+  EXPECT_NE(viewer->await_operation("status").value("message", "").find("at most 200"), std::string::npos);
+  EXPECT_LT(viewer->await_operation("status").value("message", "").size(), 300u);
+}
+
+TEST_F(ViewedRun, RefusesRequestsThatComeTooFast) {
+  start();
+  step();
+  const auto viewer = connect();
+  std::string flood;
+  for (int i = 0; i < 400; ++i)
+    flood += client_frame(kTextFrame, R"({"op":"getParameters","parameterNames":["no.such"]})");
+  viewer->send_bytes(flood);
+  EXPECT_NE(viewer->await_operation("status").value("message", "").find("too many requests"), std::string::npos);
+  step(40);
+  EXPECT_EQ(viewer->await_operation("parameterValues")["parameters"].size(), 0u) << "the first ones are answered";
+}
+
+TEST_F(ViewedRun, AnswersWithoutFrames) {
+  start();
+  const auto viewer = connect();
+  viewer->send_json({{"op", "setParameters"}, {"id", "x"}, {"parameters", {{{"name", kParameter}, {"value", 3.0}}}}});
+  viewer->call(id_of(Service::note), 1, R"({"text":"now"})");
+  sync(*viewer);
+  live->poll_without_frames("no robot is connected");
+  EXPECT_EQ(viewer->await_operation("status").value("message", ""), "no robot is connected");
+  EXPECT_EQ(viewer->await_response(1).value("message", ""), "no robot is connected");
+}
+
+TEST_F(ViewedRun, IsTheSameWithAndWithoutViewers) {
+  start();
+  const auto viewer = connect();
+  std::vector<ViewerTopic> topics;
+  for (const ViewerTopicInfo& topic : kViewerTopics) topics.push_back(topic.topic);
+  subscribe(*viewer, topics);
+  sync(*viewer);
+  HandFedLoop alone{kIdle};
+  RecordDigest viewed, unviewed;
+  for (int i = 0; i < 60; ++i) {
+    viewed.add(step());
+    unviewed.add(alone.step());
+  }
+  EXPECT_EQ(viewed.digest().hex(), unviewed.digest().hex());
+}
+
+TEST(LiveViewPage, ListsTheServicesAsTheyAre) {
+  const std::string page = read_input(std::filesystem::path(kSourceFolder) / "docs" / "live-view.md", "the page");
+  for (const ServiceRow& row : kServices) {
+    const std::string line = "| `" + std::string(row.name) + "` | " + (row.changes ? "yes" : "no") + " | " +
+                             std::string(row.description) + " | `" + std::string(row.request) + "` | `" +
+                             std::string(row.response) + "` |";
+    EXPECT_NE(page.find(line + "\n"), std::string::npos) << "docs/live-view.md lacks the line\n" << line;
+  }
+}
+
+}  // namespace
+}  // namespace reorient::live

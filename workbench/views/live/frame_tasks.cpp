@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "workbench/views/live/frame_tasks.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
+
+namespace reorient::live {
+namespace {
+
+constexpr std::size_t kMostUndone = 1000;
+constexpr std::size_t kMostChanges = 200;    // of a request, because they take time of a frame
+constexpr std::size_t kMostSuggestions = 3;  // of names, for the same reason
+
+const Parameter* parameter_named(const std::vector<Parameter>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Parameter& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string unknown_text(const std::vector<Parameter>& all, const std::string& name, bool suggests) {
+  constexpr std::size_t kLongestName = 100;
+  if (!suggests || name.size() > kLongestName)
+    return "unknown parameter '" + as_line(name.substr(0, kLongestName)) + "'";
+  std::vector<std::string> names;
+  names.reserve(all.size());
+  for (const Parameter& one : all) names.push_back(one.name);
+  return "unknown parameter '" + as_line(name) + "'" + did_you_mean(name, names);
+}
+
+}  // namespace
+
+void FrameTasks::begin(FrameRequest request, FrameInputs& inputs) {
+  Pending pending{.to = std::move(request.to), .known = {}, .changed = {}, .reply = {}, .failure = {}};
+  try {
+    std::visit([&](auto&& task) { start(std::move(task), pending, inputs); }, std::move(request.task));
+  } catch (const std::runtime_error& error) {
+    pending.failure = as_line(error.what());
+  }
+  pending_.push_back(std::move(pending));
+}
+
+void FrameTasks::start(ListParameters&& /*task*/, Pending& /*pending*/, FrameInputs& /*inputs*/) {}
+
+/// A library's parameter may belong to behaviors and to the scenario: both are changed.
+void FrameTasks::change(const std::string& name, const std::string& value, Pending& pending, FrameInputs& inputs) {
+  const ParameterChange change{name, value, ParameterOrigin::live, ""};
+  if (subject_.scenario != nullptr) {
+    if (const std::optional<ParameterOutcome> known = subject_.scenario->change(change))
+      pending.known.push_back(*known);
+  }
+  inputs.parameter_changes.push_back(change);
+  pending.changed.push_back(name);
+}
+
+void FrameTasks::start(ChangeParameters&& task, Pending& pending, FrameInputs& inputs) {
+  if (task.changes.size() > kMostChanges)
+    throw std::runtime_error("expected at most " + std::to_string(kMostChanges) + " parameters in one request, found " +
+                             std::to_string(task.changes.size()));
+  const std::vector<Parameter> all = subject_.parameters();
+  for (const ParameterText& wanted : task.changes) {
+    const Parameter* const parameter = parameter_named(all, wanted.name);
+    if (parameter == nullptr) {
+      pending.known.push_back(
+          {wanted.name, "", unknown_text(all, wanted.name, pending.known.size() < kMostSuggestions)});
+    } else if (!wanted.value) {
+      pending.known.push_back({wanted.name, to_text(parameter->value),
+                               wanted.name + ": expected a value (" + range_text(*parameter) + "), found none"});
+    } else {
+      if (before_.size() == kMostUndone) before_.erase(before_.begin());
+      before_.push_back({wanted.name, to_text(parameter->value)});
+      change(wanted.name, *wanted.value, pending, inputs);
+    }
+  }
+}
+
+void FrameTasks::start(UndoChange&& /*task*/, Pending& pending, FrameInputs& inputs) {
+  if (before_.empty()) throw std::runtime_error("no change of a viewer to undo");
+  const OldValue last = before_.back();
+  before_.pop_back();
+  pending.undoes = true;
+  change(last.name, last.value, pending, inputs);
+}
+
+void FrameTasks::start(AddNote&& task, Pending& pending, FrameInputs& inputs) {
+  pending.reads_parameters = false;
+  inputs.external.notes.push_back(std::move(task.text));
+}
+
+void FrameTasks::start(ReloadScripts&& task, Pending& pending, FrameInputs& inputs) {
+  pending.reads_parameters = false;
+  pending.reloads = true;
+  for (ScriptEdit& edit : task.edits) inputs.script_edits.push_back(std::move(edit));
+}
+
+void FrameTasks::start(AskPrompt&& task, Pending& pending, FrameInputs& /*inputs*/) {
+  pending.reads_parameters = false;
+  if (!subject_.ask) throw std::runtime_error("this run has no prompt");
+  pending.reply = subject_.ask(task.words);
+}
+
+Topics FrameTasks::wanted() const {
+  const bool any = std::any_of(pending_.begin(), pending_.end(), [](const Pending& one) { return bool(one.reply); });
+  return any ? Topics{Topic::conditions, Topic::costs} : Topics();
+}
+
+/// False: it needs a later frame.
+bool FrameTasks::complete(Pending& pending, const FrameRecord& frame, const SceneTruth& scene, FrameAnswer& answer) {
+  answer.failure = pending.failure;
+  if (pending.reply) {
+    try {
+      const std::optional<std::string> text = pending.reply(frame, scene);
+      if (!text) return false;
+      answer.text = *text;
+    } catch (const std::runtime_error& error) {
+      answer.failure = as_line(error.what());
+    }
+  }
+  answer.outcomes = pending.known;
+  for (const std::string& name : pending.changed) {
+    const auto is_this = [&](const ParameterOutcome& one) { return one.name == name; };
+    if (std::any_of(pending.known.begin(), pending.known.end(), is_this)) continue;
+    const auto found = std::find_if(frame.parameter_changes.rbegin(), frame.parameter_changes.rend(), is_this);
+    ParameterOutcome outcome{name, {}, {}};
+    if (found != frame.parameter_changes.rend()) outcome = *found;
+    if (outcome.value.empty()) outcome.refusal = name + " is fixed during a run; set it with --set";
+    answer.outcomes.push_back(std::move(outcome));
+  }
+  if (pending.reloads) {
+    for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads})
+      answer.reloads.insert(answer.reloads.end(), reloads->begin(), reloads->end());
+  }
+  return true;
+}
+
+void FrameTasks::answer(const FrameRecord& frame, const SceneTruth& scene, std::vector<FrameAnswer>& answers) {
+  std::shared_ptr<const std::vector<Parameter>> parameters;
+  std::erase_if(pending_, [&](Pending& pending) {
+    FrameAnswer answer{.to = pending.to, .time = frame.world.time};
+    if (!complete(pending, frame, scene, answer)) return false;
+    if (pending.reads_parameters) {
+      if (!parameters) parameters = std::make_shared<const std::vector<Parameter>>(subject_.parameters());
+      answer.parameters = parameters;
+      if (subject_.kept_parameters) answer.kept = subject_.kept_parameters();
+    }
+    // Only accepted changes can be undone.
+    for (const ParameterOutcome& outcome : answer.outcomes) {
+      if (outcome.refusal.empty() || pending.undoes) continue;
+      const auto last =
+          std::find_if(before_.rbegin(), before_.rend(), [&](const OldValue& old) { return old.name == outcome.name; });
+      const bool was_tried =
+          std::find(pending.changed.begin(), pending.changed.end(), outcome.name) != pending.changed.end();
+      if (was_tried && last != before_.rend()) before_.erase(std::next(last).base());
+    }
+    answers.push_back(std::move(answer));
+    return true;
+  });
+}
+
+FrameAnswer FrameTasks::refuse(const FrameRequest& request, const std::string& reason) const {
+  FrameAnswer answer{.to = request.to};
+  if (!std::holds_alternative<ListParameters>(request.task)) answer.failure = reason;
+  answer.parameters = std::make_shared<const std::vector<Parameter>>(subject_.parameters());
+  return answer;
+}
+
+}  // namespace reorient::live

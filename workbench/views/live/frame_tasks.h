@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The part of the live view in the thread of the frames: requests of viewers become inputs of the next frame, and the
+// frame's record answers them, as for the prompt.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/frame_inputs.h"
+#include "workbench/scenario/scenario_host.h"
+#include "workbench/views/live/requests.h"
+
+namespace reorient::live {
+
+/// The objects that viewers see and change. The functions are called in the thread of the frames.
+struct LiveSubject {
+  ScenarioHost* scenario = nullptr;                               ///< may be nullptr
+  std::function<std::vector<Parameter>()> parameters;             ///< all existing parameters
+  std::function<std::vector<ParameterChange>()> kept_parameters;  ///< of scripts that are not loaded; may be empty
+  std::filesystem::path scripts;                                  ///< their root
+  /// Executes a command of the prompt that changes nothing. Throws std::runtime_error with one line. May be empty.
+  std::function<PromptReply(const std::vector<std::string>& words)> ask;
+};
+
+class FrameTasks {
+ public:
+  explicit FrameTasks(LiveSubject subject) : subject_(std::move(subject)) {}
+
+  const LiveSubject& subject() const { return subject_; }
+
+  /// Adds the request to the inputs of the next frame.
+  void begin(FrameRequest request, FrameInputs& inputs);
+  /// After the frame: appends the answers that are ready.
+  void answer(const FrameRecord& frame, const SceneTruth& scene, std::vector<FrameAnswer>& answers);
+  /// Answers the request without a frame: only parameters can be listed, because `reason`.
+  FrameAnswer refuse(const FrameRequest& request, const std::string& reason) const;
+
+  std::size_t pending() const { return pending_.size(); }
+  /// The topics that pending answers read.
+  Topics wanted() const;
+
+ private:
+  struct Pending {
+    AnswerAddress to;
+    std::vector<ParameterOutcome> known;  // not from the frame
+    std::vector<std::string> changed;     // names whose outcome the frame contains
+    bool reads_parameters = true, reloads = false, undoes = false;
+    PromptReply reply;
+    std::string failure;
+  };
+  struct OldValue {
+    std::string name, value;
+  };
+
+  void start(ListParameters&& task, Pending& pending, FrameInputs& inputs);
+  void start(ChangeParameters&& task, Pending& pending, FrameInputs& inputs);
+  void start(UndoChange&& task, Pending& pending, FrameInputs& inputs);
+  void start(AddNote&& task, Pending& pending, FrameInputs& inputs);
+  void start(ReloadScripts&& task, Pending& pending, FrameInputs& inputs);
+  void start(AskPrompt&& task, Pending& pending, FrameInputs& inputs);
+  void change(const std::string& name, const std::string& value, Pending& pending, FrameInputs& inputs);
+  bool complete(Pending& pending, const FrameRecord& frame, const SceneTruth& scene, FrameAnswer& answer);
+
+  LiveSubject subject_;
+  std::vector<Pending> pending_;
+  std::vector<OldValue> before_;  // of each accepted change, the latest at the end
+};
+
+}  // namespace reorient::live

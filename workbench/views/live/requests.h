@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Requests of viewers to the thread of the frames, and its answers: values in bounded mailboxes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/parameters/parameter.h"
+#include "engine/record/frame_record.h"
+#include "engine/script/script_output.h"
+#include "engine/script/script_texts.h"
+#include "workbench/run/observer.h"
+#include "workbench/views/live/protocol/foxglove_protocol.h"
+
+namespace reorient::live {
+
+using ViewerId = std::uint64_t;
+
+/// An answer of the prompt, as whole lines: called after each frame, beginning with the frame of the request. Nothing:
+/// wait for a later frame.
+using PromptReply = std::function<std::optional<std::string>(const FrameRecord& frame, const SceneTruth& scene)>;
+
+// What the thread of the frames does for a viewer.
+struct ListParameters {};
+struct ChangeParameters {
+  std::vector<ParameterText> changes;
+};
+struct UndoChange {};
+struct AddNote {
+  std::string text;
+};
+struct ReloadScripts {
+  std::vector<ScriptEdit> edits;
+};
+/// A command of the prompt that changes nothing.
+struct AskPrompt {
+  std::vector<std::string> words;
+};
+using FrameTask = std::variant<ListParameters, ChangeParameters, UndoChange, AddNote, ReloadScripts, AskPrompt>;
+
+/// Where the answer goes: a message with parameters, or the response of a service.
+struct AnswerAddress {
+  ViewerId viewer = 0;  ///< 0: no viewer asked; the parameters have changed
+  std::optional<std::string> request{};
+  std::vector<std::string> names{};  ///< parameters to send; empty: all
+  std::uint32_t service = 0, call = 0;
+  std::size_t row = 0;  ///< of kServices, if service is not 0
+  std::string file{};   ///< to be written with the answer; empty: none
+};
+
+struct FrameRequest {
+  AnswerAddress to;
+  FrameTask task;
+};
+
+struct FrameAnswer {
+  AnswerAddress to;
+  double time = 0.0;                                           ///< s, of the frame
+  std::shared_ptr<const std::vector<Parameter>> parameters{};  ///< now; nullptr: not read
+  std::vector<ParameterChange> kept{};                         ///< of scripts that are not loaded
+  std::vector<ParameterOutcome> outcomes{};
+  std::vector<ReloadRecord> reloads{};
+  std::string text{};     ///< of the prompt
+  std::string failure{};  ///< one line; empty: it succeeded
+};
+
+/// A bounded queue between two threads.
+template <typename Value>
+class BoundedQueue {
+ public:
+  explicit BoundedQueue(std::size_t most) : most_(most) {}
+
+  /// False: it is full.
+  bool add(Value value) {
+    const std::lock_guard lock(mutex_);
+    if (values_.size() >= most_) return false;
+    values_.push_back(std::move(value));
+    return true;
+  }
+  std::optional<Value> take() {
+    const std::lock_guard lock(mutex_);
+    if (values_.empty()) return std::nullopt;
+    std::optional<Value> value = std::move(values_.front());
+    values_.pop_front();
+    return value;
+  }
+
+ private:
+  const std::size_t most_;
+  std::mutex mutex_;
+  std::deque<Value> values_;
+};
+
+}  // namespace reorient::live

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "workbench/views/live/services.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/parameters/nearest_name.h"
+#include "engine/parameters/utf8.h"
+#include "robots/robot.h"
+#include "workbench/files/script_files.h"
+#include "workbench/views/live/protocol/client_json.h"
+
+namespace reorient::live {
+namespace {
+
+using ServiceJson = nlohmann::ordered_json;
+
+std::string dumped(const ServiceJson& json) { return json.dump(-1, ' ', false, ServiceJson::error_handler_t::replace); }
+
+ServiceJson value_json(const ParameterValue& value) {
+  ServiceJson json;
+  std::visit([&](const auto& one) { json = one; }, value);
+  return json;
+}
+
+ServiceJson whole_parameter(const Parameter& parameter) {
+  ServiceJson json{{"name", parameter.name},
+                   {"value", value_json(parameter.value)},
+                   {"default", value_json(parameter.default_value)}};
+  if (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer) {
+    json["min"] = parameter.minimum;
+    json["max"] = parameter.maximum;
+  }
+  if (parameter.kind == ParameterKind::choice) json["choices"] = parameter.choices;
+  constexpr const char* kKinds[] = {"real", "integer", "boolean", "choice"};
+  static_assert(std::size(kKinds) == enum_count(ParameterKind()));
+  json["type"] = kKinds[static_cast<std::size_t>(parameter.kind)];
+  json["unit"] = parameter.unit;
+  json["description"] = parameter.description;
+  json["origin"] = to_string(parameter.origin);
+  return json;
+}
+
+ServiceJson changes_json(const FrameAnswer& answer) {
+  ServiceJson parameters = ServiceJson::array(), refused = ServiceJson::array();
+  for (const ParameterOutcome& outcome : answer.outcomes) {
+    if (!outcome.refusal.empty()) refused.push_back({{"name", outcome.name}, {"reason", as_line(outcome.refusal)}});
+    for (const Parameter& parameter : *answer.parameters) {
+      if (parameter.name == outcome.name)
+        parameters.push_back({{"name", parameter.name}, {"value", value_json(parameter.value)}});
+    }
+  }
+  return {{"parameters", std::move(parameters)}, {"refused", std::move(refused)}};
+}
+
+ServiceJson reloads_json(const FrameAnswer& answer) {
+  ServiceJson scripts = ServiceJson::array();
+  for (const ReloadRecord& reload : answer.reloads) {
+    scripts.push_back({{"script", reload.script},
+                       {"accepted", reload.accepted},
+                       {"problem", reload.accepted ? "" : as_line(reload.fault.text())}});
+  }
+  return {{"scripts", std::move(scripts)}};
+}
+
+/// A schema with the types of an example's members.
+ServiceJson schema_of_example(const ServiceJson& example) {
+  if (example.is_object()) {
+    ServiceJson properties = ServiceJson::object();
+    for (const auto& [name, value] : example.items()) properties[name] = schema_of_example(value);
+    return {{"type", "object"}, {"properties", std::move(properties)}};
+  }
+  if (example.is_array()) {
+    ServiceJson items = example.empty() ? ServiceJson::object() : schema_of_example(example.front());
+    return {{"type", "array"}, {"items", std::move(items)}};
+  }
+  if (example.is_string()) return {{"type", "string"}};
+  if (example.is_boolean()) return {{"type", "boolean"}};
+  return {{"type", "number"}};
+}
+
+std::string schema_text_of(std::string_view example) { return schema_of_example(ServiceJson::parse(example)).dump(); }
+
+/// A viewer may be on another computer, so it cannot choose the folder, nor replace another file than one of
+/// parameters.
+std::string saved_file(const ClientObject& request) {
+  const std::string file = request.text("file");
+  const bool is_plain =
+      file.size() > 5 && file.size() <= 100 && file.ends_with(".toml") && file.front() != '.' &&
+      file.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") == std::string::npos;
+  if (!is_plain)
+    throw BadClientMessage(
+        "save: file: expected a name of letters and digits that ends in .toml, without a folder, "
+        "found '" +
+        as_line(file.substr(0, 100)) + "'");
+  return file;
+}
+
+std::string note_text(const ClientObject& request) {
+  std::string text = request.text("text");
+  if (text.empty() || text.size() > kLongestNote)
+    throw BadClientMessage("note: text: expected 1 to " + std::to_string(kLongestNote) + " bytes, found " +
+                           std::to_string(text.size()));
+  return text;
+}
+
+/// A word of a command, which the thread of the frames compares with many names.
+std::string short_word(std::string word) {
+  constexpr std::size_t kLongest = 100;
+  if (word.size() > kLongest)
+    throw BadClientMessage("expected a name of at most " + std::to_string(kLongest) + " bytes, found " +
+                           std::to_string(word.size()));
+  return word;
+}
+
+/// The short name of a script: "orientation" for "behaviors/orientation.lua".
+std::string short_name(const std::string& file) {
+  const std::size_t begin = file.find('/') + 1;  // of npos: 0
+  return file.substr(begin, file.rfind(".lua") - begin);
+}
+
+[[noreturn]] void unknown_script(const std::string& name, const std::vector<std::string>& known) {
+  const std::string begin = name.substr(0, 100);
+  throw std::runtime_error("unknown script '" + as_line(begin) + "'" + did_you_mean(begin, known));
+}
+
+}  // namespace
+
+std::string advertise_live_services() {
+  std::vector<std::string> schemas;
+  schemas.reserve(2 * kServices.size());  // the texts must not move
+  std::vector<ServiceInfo> all;
+  for (const ServiceRow& row : kServices) {
+    const std::string& request = schemas.emplace_back(schema_text_of(row.request));
+    const std::string& response = schemas.emplace_back(schema_text_of(row.response));
+    all.push_back({id_of(row.service), row.name, request, response});
+  }
+  return advertise_services(all);
+}
+
+const ServiceRow* find_service(std::uint32_t id) {
+  return id == 0 || id > kServices.size() ? nullptr : &kServices[id - 1];
+}
+
+FrameTask read_service_request(const ServiceRow& row, const std::string& payload, AnswerAddress& to) {
+  const ClientObject request(std::string(row.name), payload.empty() ? "{}" : payload);
+  switch (row.service) {
+    case Service::set_parameters:
+      return ChangeParameters{read_parameter_texts(payload)};
+    case Service::undo:
+      return UndoChange{};
+    case Service::note:
+      return AddNote{note_text(request)};
+    case Service::diff:
+      return AskPrompt{{"diff"}};
+    case Service::states:
+      return AskPrompt{{"states"}};
+    case Service::why:
+      return AskPrompt{{"why", short_word(request.text("machine"))}};
+    case Service::world: {
+      const std::string pattern = short_word(request.text_or_empty("pattern"));
+      return pattern.empty() ? AskPrompt{{"world"}} : AskPrompt{{"world", pattern}};
+    }
+    case Service::save:
+      to.file = saved_file(request);
+      return ListParameters{};
+    default:
+      return ListParameters{};
+  }
+}
+
+std::string service_answer(const ServiceRow& row, const FrameAnswer& answer) {
+  switch (row.service) {
+    case Service::parameter_list: {
+      ServiceJson all = ServiceJson::array();
+      for (const Parameter& parameter : *answer.parameters) all.push_back(whole_parameter(parameter));
+      return dumped({{"parameters", std::move(all)}});
+    }
+    case Service::set_parameters:
+    case Service::undo:
+      return dumped(changes_json(answer));
+    case Service::note:
+      return dumped({{"time", answer.time}});
+    case Service::save:
+      return dumped({{"file", answer.to.file}});
+    case Service::reload:
+      return dumped(reloads_json(answer));
+    default:
+      return dumped({{"text", as_utf8(answer.text)}});
+  }
+}
+
+std::string scripts_answer(const std::filesystem::path& root) {
+  return dumped({{"files", read_scripts(root).files()}});
+}
+
+std::string script_answer(const std::filesystem::path& root, const std::string& payload) {
+  const std::string file = ClientObject("script", payload).text("file");
+  const ScriptTexts texts = read_scripts(root);
+  // Only a name from the list, so no path leads out of the folder.
+  const ScriptText* const text = texts.find(file);
+  if (text == nullptr) unknown_script(file, texts.files());
+  if (!text->problem.empty()) throw std::runtime_error(as_line(file + ": " + text->problem));
+  return dumped({{"file", file}, {"text", as_utf8(text->text)}});
+}
+
+FrameTask read_reload(const std::filesystem::path& root, const std::string& payload) {
+  const std::string name = ClientObject("reload", payload.empty() ? "{}" : payload).text_or_empty("script");
+  const ScriptTexts texts = read_scripts(root);
+  ReloadScripts reload;
+  for (const std::string& file : texts.files()) {
+    if (name.empty() || file == name || short_name(file) == name)
+      reload.edits.push_back({file, *texts.find(file), true});
+  }
+  if (reload.edits.empty()) unknown_script(name, texts.files());
+  return reload;
+}
+
+}  // namespace reorient::live

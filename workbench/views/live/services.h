@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The services of the live view, one row for each: JSON in and out. The server, its docs and their tests use this
+// table.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "workbench/views/live/requests.h"
+
+namespace reorient::live {
+
+enum class Service {
+  parameter_list,
+  set_parameters,
+  undo,
+  diff,
+  save,
+  note,
+  scripts,
+  script,
+  reload,
+  states,
+  why,
+  world
+};
+inline constexpr std::size_t kServiceCount = 12;
+
+struct ServiceRow {
+  Service service;
+  std::string_view name;
+  bool changes;  ///< changes the run or writes a file, so it needs the token
+  std::string_view description;
+  std::string_view request;   ///< an example; its members are those of the request
+  std::string_view response;  ///< an example
+};
+
+inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
+    {Service::parameter_list, "parameter_list", false, "all parameters", "{}",
+     R"({"parameters":[{"name":"orientation.lingering","value":0.5,"default":0.5,"min":0.0,"max":30.0,"unit":"s","description":"...","origin":"default"}]})"},
+    {Service::set_parameters, "set_parameters", true,
+     "changes parameters from the next frame on; the response has the values in force, and why a value was refused",
+     R"({"parameters":[{"name":"orientation.lingering","value":0.4}]})",
+     R"({"parameters":[{"name":"orientation.lingering","value":0.4}],"refused":[]})"},
+    {Service::undo, "undo", true, "undoes the last change of a parameter by a viewer; again: the one before", "{}",
+     R"({"parameters":[{"name":"orientation.lingering","value":0.5}],"refused":[]})"},
+    {Service::diff, "diff", false, "parameters that differ from their defaults, as the prompt prints them", "{}",
+     R"({"text":"orientation.lingering = 0.4"})"},
+    {Service::save, "save", true,
+     "saves the parameters that differ from their defaults, in the folder in which the run was started",
+     R"({"file":"tuned.toml"})", R"({"file":"tuned.toml"})"},
+    {Service::note, "note", true, "records a note at this time", R"({"text":"the referee moved it"})",
+     R"({"time":12.5})"},
+    {Service::scripts, "scripts", false, "the files below the folder of the scripts", "{}",
+     R"({"files":["behaviors/orientation.lua"]})"},
+    {Service::script, "script", false, "the text of one of these files", R"({"file":"behaviors/orientation.lua"})",
+     R"({"file":"behaviors/orientation.lua","text":"..."})"},
+    {Service::reload, "reload", true, "reloads a script, or all without the member, even if unchanged",
+     R"({"script":"orientation"})",
+     R"({"scripts":[{"script":"behaviors/orientation.lua","accepted":true,"problem":""}]})"},
+    {Service::states, "states", false, "state and cost of each behavior, as the prompt prints them", "{}",
+     R"({"text":"..."})"},
+    {Service::why, "why", false, "transitions of a behavior's state, and what their conditions lack",
+     R"({"machine":"orientation"})", R"({"text":"..."})"},
+    {Service::world, "world", false, "world fields and their values now", R"({"pattern":"pose.*"})",
+     R"({"text":"..."})"},
+}};
+
+/// The ids of services begin at 1.
+constexpr std::uint32_t id_of(Service service) { return static_cast<std::uint32_t>(service) + 1; }
+/// The rows as messages of the protocol describe them.
+std::string advertise_live_services();
+
+/// The service with this id; nullptr: unknown.
+const ServiceRow* find_service(std::uint32_t id);
+
+/// The request as a task of the thread of the frames. `to.file` is set for `save`. Throws BadClientMessage with one
+/// line. Not for `scripts`, `script` and `reload`, which read files first.
+FrameTask read_service_request(const ServiceRow& row, const std::string& payload, AnswerAddress& to);
+
+/// The JSON of the response. The answer has no failure.
+std::string service_answer(const ServiceRow& row, const FrameAnswer& answer);
+
+// Services that read files, on a viewer's own thread. They throw std::runtime_error or BadClientMessage with one line.
+std::string scripts_answer(const std::filesystem::path& root);
+std::string script_answer(const std::filesystem::path& root, const std::string& payload);
+FrameTask read_reload(const std::filesystem::path& root, const std::string& payload);
+
+}  // namespace reorient::live

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "workbench/views/live/viewers.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace reorient::live {
+namespace {
+
+Importance importance_of(std::size_t topic) {
+  const auto which = static_cast<ViewerTopic>(topic);
+  if (which == ViewerTopic::upper_image || which == ViewerTopic::lower_image) return Importance::image;
+  return kViewerTopics[topic].lasts ? Importance::lasting : Importance::data;
+}
+
+}  // namespace
+
+ViewerId Viewers::add(Mailbox mailbox) {
+  const std::lock_guard lock(mutex_);
+  viewers_[next_].mailbox = std::move(mailbox);
+  ++gone_.viewers;
+  return next_++;
+}
+
+void Viewers::remove(ViewerId viewer) {
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(viewer);
+  if (found == viewers_.end()) return;
+  gone_.dropped += found->second.mailbox->dropped();
+  viewers_.erase(found);
+  update_flags();
+}
+
+void Viewers::update_flags() {
+  ViewerTopics topics;
+  bool watches = false;
+  for (const auto& [id, viewer] : viewers_) {
+    for (std::size_t topic = 0; topic < viewer.subscriptions.size(); ++topic)
+      if (viewer.subscriptions[topic]) topics.set(topic);
+    watches = watches || viewer.watches_all || !viewer.watched.empty();
+  }
+  subscribed_ = topics.to_ulong();
+  any_watches_ = watches;
+}
+
+void Viewers::send_data(const Viewer& viewer, std::size_t topic, std::uint64_t time,
+                        const std::shared_ptr<const std::string>& message) {
+  const auto head = message_data_head(*viewer.subscriptions[topic], time);
+  viewer.mailbox->add_data({WebSocketType::binary, {head.begin(), head.end()}, message}, importance_of(topic));
+}
+
+std::string Viewers::subscribe(ViewerId id, const Subscribe::One& one) {
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(id);
+  if (found == viewers_.end()) return "";
+  Viewer& viewer = found->second;
+  const std::optional<std::size_t> topic = topic_of(one.channel);
+  if (!topic) return "subscribe: unknown channel " + std::to_string(one.channel);
+  if (viewer.subscriptions[*topic])
+    return "subscribe: channel " + std::to_string(one.channel) + " has a subscription of this viewer already";
+  if (std::find(viewer.subscriptions.begin(), viewer.subscriptions.end(), one.id) != viewer.subscriptions.end())
+    return "subscribe: subscription " + std::to_string(one.id) + " is in use; choose another id";
+  viewer.subscriptions[*topic] = one.id;
+  update_flags();
+  if (!kViewerTopics[*topic].lasts) return "";
+  if (last_[*topic].message) send_data(viewer, *topic, last_[*topic].time, last_[*topic].message);
+  has_new_subscriber_ = true;
+  return "";
+}
+
+std::string Viewers::unsubscribe(ViewerId id, std::uint32_t subscription) {
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(id);
+  if (found == viewers_.end()) return "";
+  auto& all = found->second.subscriptions;
+  const auto own = std::find(all.begin(), all.end(), subscription);
+  if (own == all.end()) return "unsubscribe: unknown subscription " + std::to_string(subscription);
+  own->reset();
+  update_flags();
+  return "";
+}
+
+void Viewers::watch(ViewerId id, const WatchParameters& watched) {
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(id);
+  if (found == viewers_.end()) return;
+  Viewer& viewer = found->second;
+  if (watched.names.empty()) {
+    viewer.watches_all = watched.begins;
+    viewer.watched.clear();
+  }
+  constexpr std::size_t kMost = 10'000;
+  for (const std::string& name : watched.names) {
+    if (!watched.begins) {
+      viewer.watched.erase(name);
+    } else if (viewer.watched.size() < kMost) {
+      viewer.watched.insert(name);
+    }
+  }
+  update_flags();
+}
+
+void Viewers::publish(ViewerTopic topic, std::uint64_t time, std::string message) {
+  const auto index = static_cast<std::size_t>(topic);
+  const auto shared = std::make_shared<const std::string>(std::move(message));
+  const std::lock_guard lock(mutex_);
+  if (kViewerTopics[index].lasts) last_[index] = {time, shared};
+  for (const auto& [id, viewer] : viewers_)
+    if (viewer.subscriptions[index]) send_data(viewer, index, time, shared);
+}
+
+void Viewers::send(ViewerId id, std::string text) {
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(id);
+  if (found != viewers_.end()) found->second.mailbox->add_control(std::move(text));
+}
+
+void Viewers::send(ViewerId id, std::vector<std::byte> binary) {
+  const std::lock_guard lock(mutex_);
+  const auto found = viewers_.find(id);
+  if (found != viewers_.end())
+    found->second.mailbox->add_control(Outgoing{WebSocketType::binary, std::move(binary), nullptr});
+}
+
+void Viewers::send_all(const std::vector<std::byte>& binary) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [id, viewer] : viewers_)
+    viewer.mailbox->add_control(Outgoing{WebSocketType::binary, binary, nullptr});
+}
+
+void Viewers::send_changes(const std::vector<Parameter>& now) {
+  const std::lock_guard lock(mutex_);
+  const bool is_first = values_.empty();
+  std::vector<Parameter> changed;
+  for (const Parameter& parameter : now) {
+    const auto [last, is_new] = values_.try_emplace(parameter.name, parameter.value);
+    if (!is_new && last->second == parameter.value) continue;
+    last->second = parameter.value;
+    changed.push_back(parameter);
+  }
+  if (is_first) return;  // no viewer knows other values
+  for (const auto& [id, viewer] : viewers_) {
+    std::vector<Parameter> watched = changed;
+    if (!viewer.watches_all)
+      std::erase_if(watched, [&](const Parameter& one) { return viewer.watched.count(one.name) == 0; });
+    if (!watched.empty()) viewer.mailbox->add_control(parameter_values(watched, std::nullopt));
+  }
+}
+
+Viewers::Counts Viewers::counts() const {
+  const std::lock_guard lock(mutex_);
+  Counts counts = gone_;
+  for (const auto& [id, viewer] : viewers_) counts.dropped += viewer.mailbox->dropped();
+  return counts;
+}
+
+}  // namespace reorient::live
