@@ -22,6 +22,8 @@
 #include "program/program.h"
 #include "program/recording/damages.h"
 #include "program/recording/recorded_times.h"
+#include "program/run/live/live_options.h"
+#include "program/run/live/live_replay.h"
 #include "program/safe_output.h"
 #include "program/script_names.h"
 #include "program/subcommand.h"
@@ -38,6 +40,7 @@ struct ReplayOptions {
   ParameterOptions parameters;
   RecordedTimes times;
   bool events = false;
+  LiveOptions live;
 
   bool asks_what_if() const { return !scripts.empty() || !overrides_of(parameters).empty(); }
 };
@@ -104,8 +107,16 @@ void print_events(const ReplayComparison& comparison, bool all, std::ostream& ou
   }
 }
 
+int show_replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
+  LiveReplayOptions live{options.file, scripts_root(options.scripts), options.times, options.live, {}};
+  if (options.asks_what_if())
+    live.changes = [&options](const FrameLoop& engine) { return other_than_recorded(engine, options); };
+  return replay_live(live, out, err);
+}
+
 int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   const Interruption interruption;
+  if (options.live.is_on) return show_replay(options, out, err);
   const auto stop = [] { return Interruption::signal() != 0; };
   Recording recording(options.file, stop);
   require_recorded(recording, options.times, err);
@@ -169,7 +180,8 @@ Subcommand add_replay(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand("replay", "run the frames of a recording again and compare them");
   set_examples(*parser, {{"reorient replay run.mcap", "the same frames again"},
                          {"reorient replay run.mcap --set decision.false_flips=1", "what if: another parameter"},
-                         {"reorient replay run.mcap --scripts mine --events", "what if: other scripts"}});
+                         {"reorient replay run.mcap --scripts mine --events", "what if: other scripts"},
+                         {"reorient replay run.mcap --live", "in real time, in a viewer with a time bar"}});
   parser->add_option("file", options->file, "recording that 'reorient run --record FILE' wrote")
       ->type_name("FILE")
       ->required();
@@ -185,7 +197,11 @@ Subcommand add_replay(CLI::App& program) {
   parser->add_flag("--events", options->events, "list all commands and changes of state, also the same ones")
       ->group(kOutputGroup);
   for (const char* const name : {"--from", "--to"}) parser->get_option(name)->group("Part of the recording");
-  return {parser, [options](std::ostream& out, std::ostream& err) { return replay(*options, out, err); }};
+  add_live_options(*parser, options->live, "Live view");
+  return {parser, [parser, options](std::ostream& out, std::ostream& err) {
+            find_live(*parser, options->live);
+            return replay(*options, out, err);
+          }};
 }
 
 }  // namespace reorient

@@ -30,6 +30,7 @@ constexpr std::size_t index_of(ViewerTopic topic) { return static_cast<std::size
 live::ServerInfo server_info_of(const LiveViewOptions& options) {
   live::ServerInfo info{
       options.name, {"parameters", "parametersSubscribe", "services"}, live::make_token(), options.version};
+  if (options.data_start) info.capabilities.emplace_back("playbackControl");
   if (options.data_start) info.data_start = live::to_nanoseconds(*options.data_start);
   if (options.data_end) info.data_end = live::to_nanoseconds(*options.data_end);
   return info;
@@ -48,6 +49,12 @@ LiveView::LiveView(LiveViewOptions options, live::LiveSubject subject)
       tasks_(std::move(subject)),
       session_parts_{viewers_, requests_, tasks_.subject().scripts, server_info_of(options_)},
       messages_(std::clamp(options_.jpeg_quality, 1, 100)) {
+  if (options_.data_start) {
+    session_parts_.control_playback = [this](live::ViewerId viewer, const live::ControlPlayback& control) {
+      if (!controls_.add(control))
+        viewers_.send(viewer, live::status(live::StatusLevel::warning, "too many requests to the replay at once"));
+    };
+  }
   thread_ = std::thread([this] { make_messages(); });
   try {
     server_.emplace(live::WebServerOptions{.address = options_.address,
@@ -251,6 +258,11 @@ void LiveView::send_service_answer(const FrameAnswer& answer) {
   } else {
     viewers_.send(to.viewer, live::service_failure(to.service, to.call, failure));
   }
+}
+
+void LiveView::send_playback(live::PlaybackStatus status, double time, float speed, bool did_seek,
+                             const std::string& request) {
+  viewers_.send_all(live::playback_state(status, live::to_nanoseconds(time), speed, did_seek, request));
 }
 
 LiveView::Counts LiveView::counts() const {

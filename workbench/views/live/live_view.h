@@ -52,6 +52,15 @@ class LiveView : public InputSource, public Observer {
   /// Call instead of the above while there are no frames: refuses requests of viewers, because `reason`.
   void poll_without_frames(const std::string& reason);
 
+  // Of a replay, which has LiveViewOptions::data_start:
+
+  /// What a viewer did with its time bar; nothing: no more.
+  std::optional<live::ControlPlayback> take_control() { return controls_.take(); }
+  /// Tells all viewers where the replay is. `time`: s.
+  void send_playback(live::PlaybackStatus status, double time, float speed, bool did_seek, const std::string& request);
+  /// Lasting messages are sent again with the next frame, because the time has changed.
+  void begin_again() { begins_ = true; }
+
   /// Ends all connections and threads, within a second.
   void stop();
 
@@ -82,6 +91,7 @@ class LiveView : public InputSource, public Observer {
 
   live::Viewers viewers_;
   live::BoundedQueue<live::FrameRequest> requests_{256};
+  live::BoundedQueue<live::ControlPlayback> controls_{64};
   live::SessionParts session_parts_;
 
   mutable std::mutex mutex_;  // protects all members below
