@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of the page, which are part of the program: page/*.
+// The files of the page, which are part of the program: page/built/*.
 #pragma once
 
 #include <string_view>

@@ -74,7 +74,7 @@ TEST_F(ServedPage, HasASafeHead) {
   EXPECT_TRUE(response.starts_with("HTTP/1.1 200 ")) << response;
   EXPECT_TRUE(response.ends_with("\r\n\r\n<p>page")) << response;
   for (const char* header :
-       {"Content-Security-Policy: default-src 'self'; connect-src 'self' ws:", "X-Content-Type-Options: nosniff",
+       {"Content-Security-Policy: default-src 'none'; script-src 'self'", "X-Content-Type-Options: nosniff",
         "Cache-Control: no-store", "Referrer-Policy: no-referrer", "Content-Type: text/html; charset=utf-8"})
     EXPECT_NE(response.find(header), std::string::npos) << header;
   EXPECT_EQ(response.find("unsafe-eval"), std::string::npos);

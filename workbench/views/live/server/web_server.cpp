@@ -65,8 +65,8 @@ int respond(mg_connection* connection, int code, std::string_view type, std::str
       "\r\nContent-Type: " + std::string(type) + "\r\nContent-Length: " + std::to_string(text.size()) +
       "\r\nCache-Control: no-store\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n"
       "X-Frame-Options: DENY\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n"
-      "Content-Security-Policy: default-src 'self'; connect-src 'self' ws:; img-src 'self' data: blob:; "
-      "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'; "
+      "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
+      "img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; "
       "frame-ancestors 'none'\r\n\r\n";
   mg_write(connection, head.data(), head.size());
   if (with_text && !text.empty()) mg_write(connection, text.data(), text.size());
