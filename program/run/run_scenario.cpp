@@ -53,7 +53,8 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   std::optional<OutputMailbox> mailbox;
   if (options.realtime) mailbox.emplace(out, err);
   LiveConsole console(STDIN_FILENO, out, run.subject, history_path());
-  const LiveViewPointer view = start_live_view(options.live, LiveLoad::usual, run.subject, options.scripts, console, err);
+  const LiveViewPointer view =
+      start_live_view(options.live, LiveLoad::usual, run.subject, options.scripts, console, err);
   LiveRun live(options, console, out, err);
 
   run.live.live = view.get();

@@ -305,8 +305,9 @@ Picture draw_confidence_plot(const ConfidencePlot& plot) {
     draw_curve(canvas, axis, plot, &ConfidencePoint::current, confidence_y, palette::belief, 3.5);
   });
   const Box evidence{kLeft, kEvidenceTop, kRight - kLeft + 2.0, kEvidence};
-  canvas.within(evidence,
-                [&] { draw_curve(canvas, axis, plot, &ConfidencePoint::evidence, evidence_y, palette::goal_area, 3.0); });
+  canvas.within(evidence, [&] {
+    draw_curve(canvas, axis, plot, &ConfidencePoint::evidence, evidence_y, palette::goal_area, 3.0);
+  });
   draw_commands(canvas, axis, plot, kEvidenceTop + kEvidence);
   return canvas.finish();
 }
