@@ -179,10 +179,16 @@ void LiveView::observe(const FrameRecord& frame, const SceneTruth& scene) {
 }
 
 void LiveView::poll_without_frames(const std::string& reason) {
-  while (const std::optional<live::FrameRequest> request = requests_.take()) {
+  for (std::size_t i = 0; i < kMostTasks; ++i) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (answers_waiting_.size() >= kMostAnswers) return;
+    }
+    const std::optional<live::FrameRequest> request = requests_.take();
+    if (!request) return;
     FrameAnswer answer = tasks_.refuse(*request, reason);
     const std::lock_guard lock(mutex_);
-    if (answers_waiting_.size() < kMostAnswers) answers_waiting_.push_back(std::move(answer));
+    answers_waiting_.push_back(std::move(answer));
     wake_.notify_one();
   }
 }
