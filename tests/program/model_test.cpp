@@ -168,7 +168,7 @@ TEST_F(RunWithAModel, KeepsOtherOutputsAndTheOldFileIfItCannotBeSaved) {
 TEST_F(RunWithAModel, SavesItWhenInterrupted) {
   // Ten minutes of the robot: the run does not end before the signal.
   ChildProgram run(folder.path(), {"run", "patrol", "--model", file, "--no-pictures", "--width", "160"});
-  ASSERT_TRUE(run.await("  10.0 s  current")) << run.err();
+  ASSERT_TRUE(run.await("  10.0 s  ")) << run.err();
   run.kill(SIGTERM);
   EXPECT_EQ(run.wait(), 128 + SIGTERM);
   EXPECT_GT(read_model_file(file).learned, 5.0);

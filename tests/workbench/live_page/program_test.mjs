@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// program_test.mjs PROGRAM FOLDER: uses the page in chromium (CHROMIUM) on a run of the program itself, with a copy of
+// the scripts in FOLDER. Each test waits until something is seen, never for a fixed time.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { appendFileSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+
+import { load } from "../../../workbench/views/live/page/packages.mjs";
+
+const { chromium } = load("playwright-core");
+const [program, folder] = process.argv.slice(2);
+const scripts = join(folder, "scripts");
+const PATIENCE = 60_000; // ms, on a slow machine
+
+let run, browser, page;
+const messages = []; // of the console
+
+before(async () => {
+  run = spawn(program, ["--log", "off", "run", "patrol", "--live", "0", "--width", "160", "--seconds", "600",
+    "--no-pictures", "--scripts", scripts], { stdio: ["ignore", "ignore", "pipe"] });
+  const link = await new Promise((resolve, reject) => {
+    createInterface(run.stderr).on("line", (line) => {
+      const found = line.match(/live view: (\S+)/);
+      if (found) resolve(found[1]);
+    });
+    run.on("exit", (code) => reject(new Error(`expected a link, found the exit code ${code}`)));
+  });
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+  const context = await browser.newContext({ viewport: { width: 1366, height: 768 } });
+  context.setDefaultTimeout(PATIENCE);
+  page = await context.newPage();
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) messages.push(message.text());
+  });
+  page.on("pageerror", (error) => messages.push(`${error.message}\n${error.stack}`));
+  await page.goto(link);
+});
+after(async () => {
+  await browser?.close();
+  run?.removeAllListeners("exit");
+  run?.kill("SIGKILL");
+});
+
+test("the page shows the frames of the run", async () => {
+  await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
+  for (const [key, panel, row] of [
+    ["4", "behaviors", ".machine"],
+    ["5", "parameters", ".parameter"],
+    ["6", "world", ".values tr"],
+  ]) {
+    await page.keyboard.press(key);
+    await page.locator(`[data-panel=${panel}] ${row}`).nth(4).waitFor();
+  }
+});
+
+test("a slider changes the parameter of the robot", async () => {
+  await page.keyboard.press("5");
+  await page.locator("[data-panel=parameters] input[type=search]").fill("orientation.hold_time");
+  const slider = page.locator('input[aria-label="orientation.hold_time as a slider"]');
+  await slider.focus();
+  await slider.press("End");
+  // A refused value is answered with the value in force.
+  const box = page.locator('input[aria-label="orientation.hold_time"]');
+  await box.fill("99");
+  await box.press("Enter");
+  await page.getByText("The robot uses 10 instead of 99.").waitFor();
+});
+
+test("a note is answered by the run", async () => {
+  await page.keyboard.press("Escape"); // leaves the box
+  await page.keyboard.press("n");
+  await page.keyboard.type("a note of the test");
+  await page.keyboard.press("Enter");
+  await page.locator("[data-panel=notes]").getByText("a note of the test").first().waitFor();
+});
+
+test("a broken edit and its fix are shown while the run continues", async () => {
+  const file = join(scripts, "behaviors/head_scan.lua");
+  const good = readFileSync(file, "utf8");
+  await page.getByRole("tab", { name: "Log" }).click();
+  appendFileSync(file, "\nlocal x = = 1\n");
+  await page.getByText("unexpected symbol near '='").first().waitFor();
+  writeFileSync(file, good + "\n-- as before\n");
+  await page.getByText("the edit is running").first().waitFor();
+});
+
+test("the page says that the robot is gone when the run ends", async () => {
+  run.removeAllListeners("exit");
+  run.kill("SIGINT");
+  await page.getByText("The robot is gone").first().waitFor();
+});
+
+test("the console has no message", () => {
+  const isOfTheEnd = (text) => text.includes("WebSocket connection") || text.includes("ERR_CONNECTION_REFUSED");
+  assert.deepEqual(messages.filter((text) => !isOfTheEnd(text)), []);
+});
