@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `run --live`, called as by a user, with viewers over real sockets.
+#include "workbench/views/live/live_view.h"
+
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -12,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "program/run/live/live_options.h"
 #include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
@@ -179,10 +182,21 @@ TEST(LiveOptions, AreCheckedBeforeTheRun) {
   expect_refused({"--live", "65536"}, "expected a port");
   expect_refused({"--live", "-1"}, "");
   expect_refused({"--live-address", "127.0.0.1"}, "--live");
-  expect_refused({"--live", "0", "--live-address", "robot.local"}, "expected an address");
+  expect_refused({"--live", "0", "--live-address", "robot.local"}, "expected an IPv4 address");
+  expect_refused({"--live", "0", "--live-address", "::1"}, "expected an IPv4 address");
   expect_refused({"--live", "0", "--live-allow-origin", "lab.example/x"}, "expected an origin");
   expect_refused({"--live", "0", "--view-images", "png"}, "--view-images");
   expect_refused({"--live", "0", "--live-address", "203.0.113.1"}, "cannot listen");
+}
+
+TEST(LiveOptions, OfANaoShowHalfOfTheFramesWithoutImages) {
+  LiveOptions options;
+  EXPECT_EQ(live_view_options(options, LiveLoad::light).every, 2);
+  EXPECT_EQ(live_view_options(options, LiveLoad::light).jpeg_quality, 0);
+  EXPECT_EQ(live_view_options(options, LiveLoad::usual).every, 1);
+  EXPECT_EQ(live_view_options(options, LiveLoad::usual).jpeg_quality, 75);
+  options.images = "jpeg:50";
+  EXPECT_EQ(live_view_options(options, LiveLoad::light).jpeg_quality, 50);
 }
 
 }  // namespace

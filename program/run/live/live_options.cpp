@@ -25,9 +25,10 @@ std::string check_port(const std::string& text) {
 }
 
 std::string check_address(const std::string& text) {
-  if (live::is_numeric_address(text)) return {};
-  return "expected an address such as 192.168.1.20, or 0.0.0.0 for all addresses of this computer, found '" + text +
-         "'";
+  // Debian builds civetweb without IPv6.
+  if (live::is_numeric_address(text) && text.find(':') == std::string::npos) return {};
+  return "expected an IPv4 address such as 192.168.1.20, or 0.0.0.0 for all addresses of this computer, found '" +
+         text + "'";
 }
 
 std::string check_origin(const std::string& text) {

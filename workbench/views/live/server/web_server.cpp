@@ -238,7 +238,8 @@ WebServer::WebServer(WebServerOptions options, Find find, Open open)
   if (parts.context == nullptr) {
     mg_exit_library();
     throw std::runtime_error("--live " + std::to_string(given.port) + ": cannot listen at " + ports +
-                             "; another program may use the port: choose another, or 0 for a free one" +
+                             ": expected an address of this computer and a port that no other program uses; choose "
+                             "another port, or 0 for a free one" +
                              (parts.trouble.empty() ? "" : " (" + as_line(parts.trouble) + ")"));
   }
   parts.is_starting = false;
