@@ -22,9 +22,9 @@ ViewerId Viewers::add(Mailbox mailbox) {
   return next_++;
 }
 
-void Viewers::remove(ViewerId viewer) {
+void Viewers::remove(ViewerId id) {
   const std::lock_guard lock(mutex_);
-  const auto found = viewers_.find(viewer);
+  const auto found = viewers_.find(id);
   if (found == viewers_.end()) return;
   gone_.dropped += found->second.mailbox->dropped();
   viewers_.erase(found);
@@ -141,8 +141,9 @@ void Viewers::send_changes(const std::vector<Parameter>& now) {
   if (is_first) return;  // no viewer knows other values
   for (const auto& [id, viewer] : viewers_) {
     std::vector<Parameter> watched = changed;
+    const std::set<std::string>& names = viewer.watched;
     if (!viewer.watches_all)
-      std::erase_if(watched, [&](const Parameter& one) { return viewer.watched.count(one.name) == 0; });
+      std::erase_if(watched, [&names](const Parameter& one) { return names.count(one.name) == 0; });
     if (!watched.empty()) viewer.mailbox->add_control(parameter_values(watched, std::nullopt));
   }
 }

@@ -26,13 +26,13 @@ class Viewers {
   using Mailbox = std::shared_ptr<ViewerMailbox>;
 
   ViewerId add(Mailbox mailbox);
-  void remove(ViewerId viewer);
+  void remove(ViewerId id);
 
   /// Both return one line if the viewer made a mistake; else an empty text. A new subscriber of a lasting topic
   /// receives its last message at once.
-  std::string subscribe(ViewerId viewer, const Subscribe::One& one);
-  std::string unsubscribe(ViewerId viewer, std::uint32_t subscription);
-  void watch(ViewerId viewer, const WatchParameters& watched);
+  std::string subscribe(ViewerId id, const Subscribe::One& one);
+  std::string unsubscribe(ViewerId id, std::uint32_t subscription);
+  void watch(ViewerId id, const WatchParameters& watched);
 
   // For the thread of the frames, without waiting.
   ViewerTopics subscribed() const { return ViewerTopics(subscribed_.load(std::memory_order_relaxed)); }
@@ -42,8 +42,8 @@ class Viewers {
 
   /// Sends a message of a topic to its subscribers. `time`: ns.
   void publish(ViewerTopic topic, std::uint64_t time, std::string message);
-  void send(ViewerId viewer, std::string text);
-  void send(ViewerId viewer, std::vector<std::byte> binary);
+  void send(ViewerId id, std::string text);
+  void send(ViewerId id, std::vector<std::byte> binary);
   void send_all(const std::vector<std::byte>& binary);
   /// Sends the parameters that have changed since the last call to the viewers that watch them.
   void send_changes(const std::vector<Parameter>& now);

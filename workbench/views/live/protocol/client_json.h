@@ -20,15 +20,15 @@ class ClientObject {
 
   const nlohmann::json& json() const { return json_; }
   /// Throws if the member is missing or no text.
-  std::string text(const char* member) const;
+  std::string text(const char* name) const;
   /// An empty text if it is missing.
-  std::string text_or_empty(const char* member) const;
-  std::optional<std::string> optional_text(const char* member) const;
-  std::vector<std::string> texts(const char* member) const;
-  std::uint32_t number(const char* member) const;
-  std::vector<std::uint32_t> numbers(const char* member) const;
+  std::string text_or_empty(const char* name) const;
+  std::optional<std::string> optional_text(const char* name) const;
+  std::vector<std::string> texts(const char* name) const;
+  std::uint32_t number(const char* name) const;
+  std::vector<std::uint32_t> numbers(const char* name) const;
   /// The members of an array, which must be objects.
-  std::vector<ClientObject> objects(const char* member) const;
+  std::vector<ClientObject> objects(const char* name) const;
 
  private:
   struct Parsed {};
