@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "engine/core_parameters.h"
 #include "engine/script/language/behavior_language.h"
@@ -28,17 +29,16 @@ auto order(const Finding& finding) {
   return std::tie(finding.file, finding.position.line, finding.position.column, finding.message);
 }
 
-/// The files *_test.lua below tests/, by name, from the root.
-std::vector<std::string> tests_in(const std::filesystem::path& root) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (std::filesystem::recursive_directory_iterator entry(root / "tests", error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (entry->path().filename().string().ends_with("_test.lua"))
-      files.push_back(entry->path().lexically_relative(root).generic_string());
+TextsToCheck read_texts_to_check(const std::filesystem::path& root) {
+  TextsToCheck texts{read_scripts(root)};
+  for (const std::string& file : scripted_tests(root)) {
+    try {
+      texts.tests[file] = {read_input(root / file, "a scripted test"), ""};
+    } catch (const std::runtime_error& reason) {
+      texts.tests[file] = {"", reason.what()};
+    }
   }
-  std::sort(files.begin(), files.end());
-  return files;
+  return texts;
 }
 
 /// "lib/walk.lua" is required as "lib.walk".
@@ -55,7 +55,7 @@ std::string file_of(std::string module) {
 
 class ScriptCheck {
  public:
-  explicit ScriptCheck(const std::filesystem::path& root) : root_(root), texts_(read_scripts(root)) {
+  explicit ScriptCheck(TextsToCheck texts) : texts_(std::move(texts.scripts)), tests_(std::move(texts.tests)) {
     declare(core_, core_parameters_);
   }
 
@@ -68,7 +68,7 @@ class ScriptCheck {
     for (const std::string& file : texts_.in_folder("lib")) check_library(file);
     for (const std::string& file : texts_.in_folder("behaviors")) check_script_text(file, ScriptRole::behavior);
     for (const std::string& file : texts_.in_folder("scenarios")) check_script_text(file, ScriptRole::scenario);
-    for (const std::string& file : tests_in(root_)) check_script_text(file, ScriptRole::test);
+    for (const auto& [file, text] : tests_) check_script_text(file, ScriptRole::test);
     std::vector<Finding>& all = result_.findings;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
     // A behavior that several scenarios load is reported once.
@@ -221,19 +221,13 @@ class ScriptCheck {
   }
 
   ScriptText text_of(const std::string& file, ScriptRole role) const {
-    if (role != ScriptRole::test) {
-      const ScriptText* const text = texts_.find(file);
-      return text != nullptr ? *text : ScriptText{"", "expected a script, found none"};
-    }
-    try {
-      return {read_input(root_ / file, "a scripted test"), ""};
-    } catch (const std::runtime_error& reason) {
-      return {"", reason.what()};
-    }
+    if (role == ScriptRole::test) return tests_.at(file);
+    const ScriptText* const text = texts_.find(file);
+    return text != nullptr ? *text : ScriptText{"", "expected a script, found none"};
   }
 
-  std::filesystem::path root_;
   ScriptTexts texts_;
+  std::map<std::string, ScriptText> tests_;
   CoreParameters core_;
   ParameterRegistry core_parameters_;  ///< the engine's, whose names scripts must not use
   DeclaredNames declared_;
@@ -269,10 +263,24 @@ int CheckResult::count(Finding::Severity severity) const {
                                         [severity](const Finding& finding) { return finding.severity == severity; }));
 }
 
+std::vector<std::string> scripted_tests(const std::filesystem::path& scripts_root) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(scripts_root / "tests", error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().filename().string().ends_with("_test.lua"))
+      files.push_back(entry->path().lexically_relative(scripts_root).generic_string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+CheckResult check_texts(TextsToCheck texts) { return ScriptCheck(std::move(texts)).run(); }
+
 CheckResult check_scripts(const std::filesystem::path& scripts_root, std::span<const std::filesystem::path> paths) {
   std::vector<std::string> requested;
   for (const std::filesystem::path& path : paths) requested.push_back(below(scripts_root, path));
-  CheckResult result = ScriptCheck(scripts_root).run();
+  CheckResult result = check_texts(read_texts_to_check(scripts_root));
   if (requested.empty()) return result;
   std::erase_if(result.findings, [&](const Finding& finding) {
     return std::none_of(requested.begin(), requested.end(), [&](const std::string& path) {

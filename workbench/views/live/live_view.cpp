@@ -47,7 +47,8 @@ LiveView::LiveView(LiveViewOptions options, live::LiveSubject subject)
     : options_(std::move(options)),
       token_(live::make_token()),
       tasks_(std::move(subject)),
-      session_parts_{viewers_, requests_, tasks_.subject().scripts, server_info_of(options_)},
+      scripts_(tasks_.subject().scripts),
+      session_parts_{viewers_, requests_, scripts_, server_info_of(options_)},
       messages_(std::clamp(options_.jpeg_quality, 1, 100)) {
   if (options_.data_start) {
     session_parts_.control_playback = [this](live::ViewerId viewer, const live::ControlPlayback& control) {

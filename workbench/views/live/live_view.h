@@ -92,6 +92,7 @@ class LiveView : public InputSource, public Observer {
   live::Viewers viewers_;
   live::BoundedQueue<live::FrameRequest> requests_{256};
   live::BoundedQueue<live::ControlPlayback> controls_{64};
+  const live::ScriptServices scripts_;
   live::SessionParts session_parts_;
 
   mutable std::mutex mutex_;  // protects all members below

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/views/live/services.h"
 
-#include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
 #include "robots/robot.h"
-#include "workbench/files/script_files.h"
 #include "workbench/views/live/protocol/client_json.h"
 
 namespace reorient::live {
@@ -117,17 +113,6 @@ std::string short_word(std::string word) {
   return word;
 }
 
-/// The short name of a script: "orientation" for "behaviors/orientation.lua".
-std::string short_name(const std::string& file) {
-  const std::size_t begin = file.find('/') + 1;  // of npos: 0
-  return file.substr(begin, file.rfind(".lua") - begin);
-}
-
-[[noreturn]] void unknown_script(const std::string& name, const std::vector<std::string>& known) {
-  const std::string begin = name.substr(0, 100);
-  throw std::runtime_error("unknown script '" + as_line(begin) + "'" + did_you_mean(begin, known));
-}
-
 }  // namespace
 
 std::string advertise_live_services() {
@@ -192,32 +177,6 @@ std::string service_answer(const ServiceRow& row, const FrameAnswer& answer) {
     default:
       return dumped({{"text", as_utf8(answer.text)}});
   }
-}
-
-std::string scripts_answer(const std::filesystem::path& root) {
-  return dumped({{"files", read_scripts(root).files()}});
-}
-
-std::string script_answer(const std::filesystem::path& root, const std::string& payload) {
-  const std::string file = ClientObject("script", payload).text("file");
-  const ScriptTexts texts = read_scripts(root);
-  // Only a name from the list, so no path leads out of the folder.
-  const ScriptText* const text = texts.find(file);
-  if (text == nullptr) unknown_script(file, texts.files());
-  if (!text->problem.empty()) throw std::runtime_error(as_line(file + ": " + text->problem));
-  return dumped({{"file", file}, {"text", as_utf8(text->text)}});
-}
-
-FrameTask read_reload(const std::filesystem::path& root, const std::string& payload) {
-  const std::string name = ClientObject("reload", payload.empty() ? "{}" : payload).text_or_empty("script");
-  const ScriptTexts texts = read_scripts(root);
-  ReloadScripts reload;
-  for (const std::string& file : texts.files()) {
-    if (name.empty() || file == name || short_name(file) == name)
-      reload.edits.push_back({file, *texts.find(file), true});
-  }
-  if (reload.edits.empty()) unknown_script(name, texts.files());
-  return reload;
 }
 
 }  // namespace reorient::live

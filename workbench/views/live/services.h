@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -23,12 +22,14 @@ enum class Service {
   note,
   scripts,
   script,
+  check_script,
+  save_script,
   reload,
   states,
   why,
   world
 };
-inline constexpr std::size_t kServiceCount = 12;
+inline constexpr std::size_t kServiceCount = 14;
 
 struct ServiceRow {
   Service service;
@@ -55,10 +56,19 @@ inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
      R"({"file":"tuned.toml"})", R"({"file":"tuned.toml"})"},
     {Service::note, "note", true, "records a note at this time", R"({"text":"the referee moved it"})",
      R"({"time":12.5})"},
-    {Service::scripts, "scripts", false, "the files below the folder of the scripts", "{}",
+    {Service::scripts, "scripts", false, "the scripts and scripted tests below the folder of the scripts", "{}",
      R"({"files":["behaviors/orientation.lua"]})"},
     {Service::script, "script", false, "the text of one of these files", R"({"file":"behaviors/orientation.lua"})",
      R"({"file":"behaviors/orientation.lua","text":"..."})"},
+    {Service::check_script, "check_script", false,
+     "what `reorient check` finds in one of these files if its text is replaced by this one; at most 200 findings",
+     R"({"file":"behaviors/orientation.lua","text":"..."})",
+     R"({"findings":[{"file":"behaviors/orientation.lua","line":1,"column":1,"severity":"error","message":"..."}]})"},
+    {Service::save_script, "save_script", true,
+     "writes one of these files, if its text on the disk is still `expected`; else the file stays unchanged, and "
+     "`saved` is false; the response has the text on the disk",
+     R"({"file":"behaviors/orientation.lua","text":"...","expected":"..."})",
+     R"({"file":"behaviors/orientation.lua","saved":true,"text":"..."})"},
     {Service::reload, "reload", true, "reloads a script, or all without the member, even if unchanged",
      R"({"script":"orientation"})",
      R"({"scripts":[{"script":"behaviors/orientation.lua","accepted":true,"problem":""}]})"},
@@ -79,15 +89,10 @@ std::string advertise_live_services();
 const ServiceRow* find_service(std::uint32_t id);
 
 /// The request as a task of the thread of the frames. `to.file` is set for `save`. Throws BadClientMessage with one
-/// line. Not for `scripts`, `script` and `reload`, which read files first.
+/// line. Not for the services of script_services.h.
 FrameTask read_service_request(const ServiceRow& row, const std::string& payload, AnswerAddress& to);
 
 /// The JSON of the response. The answer has no failure.
 std::string service_answer(const ServiceRow& row, const FrameAnswer& answer);
-
-// Services that read files, on a viewer's own thread. They throw std::runtime_error or BadClientMessage with one line.
-std::string scripts_answer(const std::filesystem::path& root);
-std::string script_answer(const std::filesystem::path& root, const std::string& payload);
-FrameTask read_reload(const std::filesystem::path& root, const std::string& payload);
 
 }  // namespace reorient::live

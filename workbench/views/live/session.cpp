@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/views/live/session.h"
 
+#include <exception>
 #include <stdexcept>
 #include <vector>
 
@@ -95,7 +96,7 @@ FrameTask Session::read_call(const CallService& message, AnswerAddress& to) cons
   if (row->changes && !access_.changes)
     throw BadClientMessage(std::string(row->name) + ": refused: " + access_.why_not);
   to.row = static_cast<std::size_t>(row->service);
-  if (row->service == Service::reload) return read_reload(parts_.scripts, message.payload);
+  if (row->service == Service::reload) return parts_.scripts.reload(message.payload);
   return read_service_request(*row, message.payload, to);
 }
 
@@ -107,11 +108,9 @@ void Session::take(const CallService& message) {
   AnswerAddress to{.viewer = viewer_, .service = message.service, .call = message.call};
   try {
     FrameTask task = read_call(message, to);
-    const auto service = static_cast<Service>(to.row);
-    if (service == Service::scripts) return respond(scripts_answer(parts_.scripts));
-    if (service == Service::script) return respond(script_answer(parts_.scripts, message.payload));
+    if (const auto json = parts_.scripts.answer(static_cast<Service>(to.row), message.payload)) return respond(*json);
     if (!post({std::move(to), std::move(task)})) throw std::runtime_error(kTooMany);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {  // whatever it is, the run continues
     mailbox_->add_control(service_failure(message.service, message.call, as_line(error.what())));
   }
 }

@@ -3,13 +3,13 @@
 // request to the thread of the frames.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "workbench/views/live/requests.h"
+#include "workbench/views/live/script_services.h"
 #include "workbench/views/live/server/web_server.h"
 #include "workbench/views/live/viewers.h"
 
@@ -19,7 +19,7 @@ namespace reorient::live {
 struct SessionParts {
   Viewers& viewers;
   BoundedQueue<FrameRequest>& requests;
-  std::filesystem::path scripts;  ///< their root
+  const ScriptServices& scripts;
   ServerInfo info;
   /// Of a replay with a time bar; may be empty.
   std::function<void(ViewerId, const ControlPlayback&)> control_playback{};

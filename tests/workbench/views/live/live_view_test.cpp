@@ -273,7 +273,10 @@ TEST_F(ViewedRun, AnswersEachServiceAsItsExampleShows) {
         request.replace(place, shipped.size(), own);
     }
     viewer->call(id_of(row.service), ++call, request);
-    if (row.service != Service::scripts && row.service != Service::script) sync(*viewer);
+    // Those of scripts are answered without a frame.
+    const bool is_at_once = row.service == Service::scripts || row.service == Service::script ||
+                            row.service == Service::check_script || row.service == Service::save_script;
+    if (!is_at_once) sync(*viewer);
     step();
     const json response = viewer->await_response(call);
     const json shown = json::parse(row.response);
@@ -348,6 +351,10 @@ TEST_F(ViewedRun, IsNotChangedWithoutTheToken) {
   step(2);
   EXPECT_EQ(viewer->await_operation("parameterValues")["parameters"][0]["value"], before);
   EXPECT_EQ(value(kParameter), before);
+  viewer->call(id_of(Service::save_script), ++call,
+               json{{"file", "behaviors/tested.lua"}, {"text", ""}, {"expected", kIdle}}.dump());
+  EXPECT_NE(viewer->await_response(call).value("message", "").find("token"), std::string::npos);
+  EXPECT_EQ(read_input(folder.path() / "scripts/behaviors/tested.lua", "a script"), kIdle);
 }
 
 TEST_F(ViewedRun, RefusesHostileCallsWithOneLine) {
