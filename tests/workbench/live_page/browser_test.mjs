@@ -15,6 +15,7 @@ const { chromium } = load("playwright-core");
 const [file, parametersFile] = process.argv.slice(2);
 const folder = join(dirname(fileURLToPath(import.meta.url)), "../../../workbench/views/live/page/built");
 const PATIENCE = 30_000; // ms, on a slow machine
+const SCRIPT = "behaviors/orientation.lua";
 
 let browser, page, robot;
 const messages = []; // of the console
@@ -22,7 +23,11 @@ const messages = []; // of the console
 before(async () => {
   const recording = await readRecording(file);
   const parameters = parseParameters(readFileSync(parametersFile, "utf8"));
-  robot = new Robot({ recording, folder, parameters, from: 38, loop: false });
+  const scripts = new Map([
+    [SCRIPT, 'behavior "orientation" {}\n'],
+    ["lib/decision.lua", "return {}\n"],
+  ]);
+  robot = new Robot({ recording, folder, parameters, from: 38, loop: false, scripts });
   await robot.start();
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
   page = await open({ viewport: { width: 1366, height: 768 } });
@@ -203,6 +208,75 @@ test("a click on the field shows numbers", async () => {
   assert.match(await page.locator(".numbers").innerText(), /x −?\d+\.\d\d m, y −?\d+\.\d\d m/);
 });
 
+const scriptsPanel = (of = page) => of.locator("[data-panel=scripts]");
+/// Waits until the robot has a text of the script.
+const untilSaved = (text) => untilReceived(() => robot.scripts.get(SCRIPT) === text);
+
+test("an edit of a script is checked while it is typed, saved with Ctrl-S, and refused at its line", async () => {
+  await page.keyboard.press("0");
+  await scriptsPanel().locator("input[type=search]").fill("orient");
+  assert.equal(await scriptsPanel().locator(".files li").count(), 1);
+  await scriptsPanel().getByRole("button", { name: SCRIPT }).click();
+  await scriptsPanel().locator(".cm-content").click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("-- tuned !!\n");
+  await scriptsPanel().getByText("1:10 error: unexpected symbol").waitFor();
+  await scriptsPanel().locator(".cm-lintRange-error").waitFor();
+  assert.equal(await scriptsPanel().locator(".cm-editor").evaluate((it) => getComputedStyle(it).display), "flex");
+  await page.keyboard.press("Control+s");
+  await scriptsPanel().getByText("The run refused the edit and keeps the last good version").waitFor();
+  assert.match(await scriptsPanel().locator(".fault b").innerText(), /^behaviors\/orientation\.lua:1$/);
+  await scriptsPanel().locator(".cm-lintRange-error").waitFor();
+  const { request } = await untilReceived((it) => it.name === "save_script");
+  assert.equal(request.expected, 'behavior "orientation" {}\n');
+});
+
+test("the fix of a refused edit is running, also if another panel was shown before", async () => {
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.press("Shift+End");
+  await page.keyboard.type("-- tuned");
+  await scriptsPanel().getByText("not saved").waitFor();
+  await scriptsPanel().locator(".findings").waitFor({ state: "detached" });
+  await page.getByRole("tab", { name: "Field" }).click();
+  await page.getByRole("tab", { name: "Scripts" }).click();
+  await scriptsPanel().getByRole("button", { name: "Save", exact: true }).click();
+  await scriptsPanel().getByText("The edit is running since").waitFor();
+  await untilSaved('-- tuned\nbehavior "orientation" {}\n');
+});
+
+test("an edit of another editor is noticed, and replaced only by choice", async () => {
+  robot.scripts.set(SCRIPT, "-- theirs\n");
+  await scriptsPanel().getByText("The editor shows the new text").waitFor();
+  await scriptsPanel().locator(".cm-line", { hasText: "-- theirs" }).waitFor();
+  await scriptsPanel().locator(".cm-content").click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("-- mine\n");
+  robot.scripts.set(SCRIPT, "-- theirs again\n");
+  await page.keyboard.press("Control+s");
+  await scriptsPanel().getByText("The file has changed on the disk").waitFor();
+  assert.equal(robot.scripts.get(SCRIPT), "-- theirs again\n");
+  await scriptsPanel().getByRole("button", { name: "Keep mine" }).click();
+  await scriptsPanel().getByRole("button", { name: "Save", exact: true }).click();
+  await untilSaved("-- mine\n-- theirs\n");
+});
+
+test("revert shows the text of the disk, and undo the edit", async () => {
+  await scriptsPanel().locator(".cm-content").click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("-- dropped\n");
+  await scriptsPanel().getByRole("button", { name: "Revert" }).click();
+  await scriptsPanel().locator(".cm-line", { hasText: "-- dropped" }).waitFor({ state: "detached" });
+  await scriptsPanel().getByText("not saved").waitFor({ state: "detached" });
+  await scriptsPanel().locator(".cm-content").click();
+  await page.keyboard.press("Control+z");
+  await scriptsPanel().locator(".cm-line", { hasText: "-- dropped" }).waitFor();
+  await scriptsPanel().getByRole("button", { name: "Revert" }).click();
+  await scriptsPanel().getByText("not saved").waitFor({ state: "detached" });
+  await scriptsPanel().getByRole("button", { name: "‹ Scripts" }).click();
+  await page.keyboard.press("1");
+  await untilDrawn("[data-panel=field] canvas", 100);
+});
+
 test("drops that the robot reports are shown", async () => {
   robot.report(1, "Send buffer limit reached");
   await page.getByText("slow connection, 1× dropped").waitFor();
@@ -325,6 +399,13 @@ test("a page that may change nothing says why, and offers nothing that changes s
   await watcher.locator(".parameter input[type=range]").first().waitFor();
   assert.ok(await watcher.locator(".parameter input[type=range]").first().isDisabled());
   assert.ok(await watcher.getByRole("button", { name: "Undo" }).isDisabled());
+  await watcher.keyboard.press("0");
+  await scriptsPanel(watcher).getByRole("button", { name: SCRIPT }).click();
+  await scriptsPanel(watcher).getByText(`Read-only: ${robot.refusal}`).waitFor();
+  await scriptsPanel(watcher).locator(".cm-content").click();
+  await watcher.keyboard.type("typed");
+  assert.equal(await scriptsPanel(watcher).getByRole("button", { name: "Save" }).count(), 0);
+  assert.equal(await scriptsPanel(watcher).locator(".cm-line", { hasText: "typed" }).count(), 0);
   assert.equal(robot.paths.at(-1), "/?token=1");
   robot.refusal = "";
   await watcher.close();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A stand-in for `reorient run --live`: serves the page and replays a recording over the Foxglove WebSocket protocol,
 // with parameters and services. For the development and the tests of the page.
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
 
@@ -11,7 +11,7 @@ const { WebSocketServer } = load("ws");
 
 const SUBPROTOCOL = "foxglove.websocket.v1";
 const LASTING = new Set(["/field", "/wall", "/parameters", "/camera/upper/calibration", "/camera/lower/calibration"]);
-const SERVICES = ["parameter_list", "set_parameters", "note", "scripts", "script"];
+const SERVICES = ["parameter_list", "set_parameters", "note", "scripts", "script", "check_script", "save_script"];
 const POLICY = [
   "default-src 'none'",
   "script-src 'self'",
@@ -29,12 +29,36 @@ const STEP = 10; // ms
 const FRAME = 33_333_333n; // ns
 const NANOSECONDS = 1e6; // in a millisecond
 
+/// The texts of the scripts below a folder, by name.
+export function readScripts(folder) {
+  const files = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".lua"));
+  return new Map(files.sort().map((file) => [file, readFileSync(join(folder, file), "utf8")]));
+}
+
+/// The stand-in for `reorient check`: each `!!` of a text is an error.
+function findingsIn(file, text) {
+  return text.split("\n").flatMap((line, i) => {
+    const at = line.indexOf("!!");
+    const column = Buffer.byteLength(line.slice(0, at)) + 1;
+    return at < 0 ? [] : [{ file, line: i + 1, column, severity: "error", message: "unexpected symbol near '!'" }];
+  });
+}
+
 export class Robot {
   /// `folder`: that of the built page; `speed`: times real time; `from`: s of the recording at which it starts; `loop`:
   /// after the recording another run begins, otherwise the robot stands still; `refusal`: why clients may change
-  /// nothing.
-  constructor({ recording, folder, parameters = [], speed = 1, from = 0, loop = true, refusal = "" }) {
-    Object.assign(this, { recording, folder, parameters, speed, from, loop, refusal });
+  /// nothing; `scripts`: texts by name.
+  constructor({
+    recording,
+    folder,
+    parameters = [],
+    speed = 1,
+    from = 0,
+    loop = true,
+    refusal = "",
+    scripts = new Map(),
+  }) {
+    Object.assign(this, { recording, folder, parameters, speed, from, loop, refusal, scripts });
     this.byName = new Map(parameters.map((it) => [it.name, { ...it }]));
     this.topics = new Map(recording.channels.map((it) => [it.id, it.topic]));
     this.session = 1;
@@ -86,7 +110,7 @@ export class Robot {
     const path = new URL(request.url, "http://robot").pathname;
     const name = path === "/" || path === "/audience" ? "index.html" : path.slice(1);
     const type = TYPES[name.split(".").pop()];
-    if (!/^(index\.html|live\.js|live\.css)$/.test(name)) {
+    if (!/^(index\.html|live\.js|live\.css|editor\.js)$/.test(name)) {
       response.writeHead(404).end();
       return;
     }
@@ -166,16 +190,44 @@ export class Robot {
       parameter_list: () => ({ parameters: [...this.byName.values()] }),
       set_parameters: () => ({ parameters: this.setParameters(request.parameters) }),
       note: () => (this.note(request.text), {}),
-      scripts: () => ({ files: [] }),
-      script: () => ({ text: "" }),
+      scripts: () => ({ files: [...this.scripts.keys()] }),
+      script: () => ({ file: request.file, text: this.textOf(request.file) }),
+      check_script: () => ({ findings: findingsIn(request.file, request.text) }),
+      save_script: () => this.saveScript(request),
     };
-    const payload = Buffer.from(JSON.stringify(answers[name]()));
+    let answer;
+    try {
+      answer = answers[name]();
+    } catch (error) {
+      socket.send(
+        JSON.stringify({ op: "serviceCallFailure", serviceId: service, callId: call, message: error.message }),
+      );
+      return;
+    }
+    const payload = Buffer.from(JSON.stringify(answer));
     const head = Buffer.alloc(13);
     head.writeUInt8(3, 0);
     head.writeUInt32LE(service, 1);
     head.writeUInt32LE(call, 5);
     head.writeUInt32LE(4, 9);
     socket.send(Buffer.concat([head, Buffer.from("json"), payload]));
+  }
+
+  textOf(file) {
+    if (!this.scripts.has(file)) throw new Error(`unknown script '${file}'`);
+    return this.scripts.get(file);
+  }
+
+  /// Saves a script that is still the expected one. The log has the result of the reload.
+  saveScript({ file, text, expected }) {
+    if (this.refusal) throw new Error(`save_script: refused: ${this.refusal}`);
+    if (this.textOf(file) !== expected) return { file, saved: false, text: this.textOf(file) };
+    this.scripts.set(file, text);
+    const [fault] = findingsIn(file, text);
+    const where = fault && `${file}:${fault.line}:${fault.column}: ${fault.message}`;
+    if (fault) this.log(4, file, `edit rejected; keeping the previous version: ${where}`, file, fault.line);
+    else this.log(2, file, "the edit is running");
+    return { file, saved: true, text };
   }
 
   note(text) {

@@ -6,14 +6,16 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { parseParameters, readRecording } from "./recording.mjs";
-import { Robot } from "./robot.mjs";
+import { Robot, readScripts } from "./robot.mjs";
 
 const [file, port = "8765", from = "0", speed = "1"] = process.argv.slice(2);
 if (!file) {
   console.error("usage: serve.mjs RECORDING [PORT] [FROM] [SPEED]");
   process.exit(2);
 }
-const folder = join(dirname(fileURLToPath(import.meta.url)), "../built");
+const here = dirname(fileURLToPath(import.meta.url));
+const folder = join(here, "../built");
+const scripts = readScripts(join(here, "../../../../../scripts"));
 const program = process.env.REORIENT;
 const parameters = program ? parseParameters(execFileSync(program, ["params"], { encoding: "utf8" })) : [];
 const recording = await readRecording(file);
@@ -26,6 +28,6 @@ for (const [topic, schemaName] of [
   const id = 1 + Math.max(...recording.channels.map((it) => it.id));
   recording.channels.push({ id, topic, encoding: "json", schemaName, schemaEncoding: "jsonschema", schema: "{}" });
 }
-const robot = new Robot({ recording, folder, parameters, from: Number(from), speed: Number(speed) });
+const robot = new Robot({ recording, folder, parameters, from: Number(from), speed: Number(speed), scripts });
 await robot.start(Number(port));
 console.log(`http://localhost:${robot.port}/`);

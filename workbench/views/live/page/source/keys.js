@@ -9,13 +9,14 @@ export const KEYS = [
   ["Space", "pause the view, or back to live; the robot continues"],
   ["← →", "one frame back or forward; with Shift one second"],
   ["L", "back to live"],
-  ["1 … 9", "open a panel"],
-  ["/", "search in parameters, world or log"],
+  ["1 … 9, 0", "open a panel"],
+  ["/", "search in parameters, world, log or scripts"],
   ["N", "write a note"],
   ["U", "undo the last change of a parameter"],
   ["T", "colors: as the system, light, dark"],
   ["A", "audience view, and back"],
   ["?", "show or hide these keys"],
+  ["Ctrl-S", "save the open script"],
   ["wheel", "in the timeline: zoom; with Shift: move"],
 ];
 

@@ -105,6 +105,8 @@ export const canSetParameters = () =>
   link.state === "open" && !link.refusal && (connection.has("parameters") || canCall(SET));
 /// Whether the robot offers a service; `changes`: one that changes something.
 export const canCall = (service, changes = false) => link.services.has(service) && !(changes && link.refusal);
+/// Whether the robot is a recording with a time bar.
+export const isReplay = () => connection.has("playbackControl");
 export const call = (service, value) => connection.call(service, value);
 
 /// Sends a value of a parameter. The answer contains the value that is in force.

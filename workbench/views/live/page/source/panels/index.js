@@ -7,8 +7,9 @@ import field from "./field.jsx";
 import log from "./log.jsx";
 import notes from "./notes.jsx";
 import parameters from "./parameters.jsx";
+import scripts from "./scripts.jsx";
 import timeline from "./timeline.jsx";
 import wall from "./wall.jsx";
 import world from "./world.jsx";
 
-export const panels = [field, wall, cameras, behaviors, parameters, world, log, notes, timeline];
+export const panels = [field, wall, cameras, behaviors, parameters, world, log, notes, timeline, scripts];
