@@ -148,7 +148,7 @@ TEST(Panorama, MultipliesTheInksOfACmykJpegByBlack) {
   std::vector<std::uint8_t> inks;  // inverted: 255 is no ink
   for (int i = 0; i < kWidth * kHeight; ++i) inks.insert(inks.end(), {200, 100, 50, 188});
   const LinearImage image = decode_panorama(encode_jpeg(inks, 0, TJSAMP_444, TJPF_CMYK), "test");
-  const LinearColor color = image.at(20, 10);
+  const LinearColor& color = image.at(20, 10);
   EXPECT_NEAR(color.x(), 0.294f, 0.01f) << "147 of 255 in sRGB";
   EXPECT_NEAR(color.y(), 0.070f, 0.006f) << "74";
   EXPECT_NEAR(color.z(), 0.0185f, 0.004f) << "37";

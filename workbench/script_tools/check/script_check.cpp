@@ -115,7 +115,7 @@ class ScriptCheck {
       const std::string& word = tokens[i].text;
       const bool is_assigned = tokens[i + 1].is_symbol("=");
       const LuaToken& value = tokens[is_assigned ? i + 2 : i + 1];
-      if (is_assigned) declared_.parameters.insert(stem + "." + word);
+      if (is_assigned) declared_.parameters.insert(std::string(stem).append(".").append(word));
       if (value.kind != LuaToken::Kind::text) continue;
       if (is_assigned && word == "publishes") declared_.published.insert(value.text);
       if (!is_assigned && word == "behavior") declared_.behaviors[value.text];
