@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
@@ -34,7 +35,8 @@ std::string unknown_text(const std::vector<Parameter>& all, const std::string& n
 void FrameTasks::begin(FrameRequest request, FrameInputs& inputs) {
   Pending pending{.to = std::move(request.to), .known = {}, .changed = {}, .reply = {}, .failure = {}};
   try {
-    std::visit([&](auto&& task) { start(std::move(task), pending, inputs); }, std::move(request.task));
+    std::visit([&](auto&& task) { start(std::forward<decltype(task)>(task), pending, inputs); },
+               std::move(request.task));
   } catch (const std::runtime_error& error) {
     pending.failure = as_line(error.what());
   }

@@ -84,7 +84,7 @@ std::string schema_text_of(std::string_view example) { return schema_of_example(
 /// A viewer may be on another computer, so it cannot choose the folder, nor replace another file than one of
 /// parameters.
 std::string saved_file(const ClientObject& request) {
-  const std::string file = request.text("file");
+  std::string file = request.text("file");
   const bool is_plain =
       file.size() > 5 && file.size() <= 100 && file.ends_with(".toml") && file.front() != '.' &&
       file.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") == std::string::npos;

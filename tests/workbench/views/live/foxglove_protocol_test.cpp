@@ -181,9 +181,10 @@ TEST(ClientBinary, ControlsPlayback) {
 TEST(ClientBinary, IsRefusedWithOneLine) {
   const std::string huge = little_endian(0xFFFFFFFFu);
   const std::string zeros(8, '\0');
+  const std::string call = "\x02" + zeros + huge;
   for (const std::string& bad :
        {std::string(), std::string(1, '\0'), std::string("\x04"), std::string("\xFF"), std::string("\x02"),
-        "\x02" + zeros, "\x02" + zeros + huge, "\x02" + zeros + huge + "json", std::string("\x03"),
+        "\x02" + zeros, call, std::string(call).append("json"), std::string("\x03"),
         std::string("\x03\x02") + std::string(17, '\0'), std::string("\x03\x01") + std::string(13, '\0') + huge,
         std::string("\x03\x01") + little_endian(std::numeric_limits<float>::quiet_NaN()) + std::string(13, '\0'),
         std::string("\x03\x01") + little_endian(-1.0f) + std::string(13, '\0'),

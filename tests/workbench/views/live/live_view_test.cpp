@@ -2,6 +2,7 @@
 // A run for viewers, frame by frame: what viewers receive and change, and that a frame never waits for them.
 #include "workbench/views/live/live_view.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -33,6 +34,13 @@ constexpr const char* kParameter = "field_features.pixel_deviation";
 
 /// The size of a message of data before its JSON.
 constexpr std::size_t kHeadOfData = 13;
+
+std::vector<ViewerTopic> all_topics() {
+  std::vector<ViewerTopic> topics(kViewerTopics.size());
+  std::transform(kViewerTopics.begin(), kViewerTopics.end(), topics.begin(),
+                 [](const ViewerTopicInfo& info) { return info.topic; });
+  return topics;
+}
 
 class ViewedRun : public ::testing::Test {
  protected:
@@ -432,8 +440,7 @@ TEST_F(ViewedRun, NeverWaitsForAViewerThatDoesNotRead) {
   start({.viewer_bytes = 100'000});
   const auto stalled = std::make_unique<TestViewer>(port, 4096);
   stalled->open(token);
-  std::vector<ViewerTopic> topics;
-  for (const ViewerTopicInfo& topic : kViewerTopics) topics.push_back(topic.topic);
+  const std::vector<ViewerTopic> topics = all_topics();
   subscribe(*stalled, topics);
   // The frames go on until the viewer's memory is full, and messages are dropped.
   EXPECT_TRUE(await(
@@ -493,8 +500,7 @@ TEST_F(ViewedRun, AnswersWithoutFrames) {
 TEST_F(ViewedRun, IsTheSameWithAndWithoutViewers) {
   start();
   const auto viewer = connect();
-  std::vector<ViewerTopic> topics;
-  for (const ViewerTopicInfo& topic : kViewerTopics) topics.push_back(topic.topic);
+  const std::vector<ViewerTopic> topics = all_topics();
   subscribe(*viewer, topics);
   sync(*viewer);
   HandFedLoop alone{kIdle};

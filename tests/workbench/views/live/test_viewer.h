@@ -69,7 +69,7 @@ class TestViewer {
     while (received_.find("\r\n\r\n") == std::string::npos && receive_more()) {
     }
     const std::size_t end = received_.find("\r\n\r\n");
-    const std::string head = received_.substr(0, end);
+    std::string head = received_.substr(0, end);
     if (head.find(" 101 ") != std::string::npos) {
       received_.erase(0, end + 4);
       return head;
