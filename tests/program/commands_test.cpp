@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
 
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
@@ -338,12 +339,15 @@ TEST_F(CommandsTest, ATestReadsNoFileOutsideOfTheScripts) {
   for (const std::string& file :
        {outside, absent + ".toml", absent, std::string("../outside.toml"), std::string("../absent.toml"),
         std::string("a/../../outside"), std::string("fields/link.toml")}) {
-    for (const std::string what : {"room", "field"}) {
-      const std::string why = what + " of a script: expected a file below the root of the scripts, or the name of a " +
-                              "shipped one, found '" + file + "'";
-      EXPECT_NE(refusal("mirrored_placement", what + " = \"" + file + "\"").find(why), std::string::npos) << file;
-      folder_.write("scripts/scenarios/elsewhere.lua", "scenario \"elsewhere\" { behaviors = {}, " + what + " = \"" +
-                                                           file + "\", initial = \"a\", state \"a\" {} }");
+    for (const char* what : {"room", "field"}) {
+      const std::string why = fmt::format(
+          "{} of a script: expected a file below the root of the scripts, or the name of a shipped one, found '{}'",
+          what, file);
+      const std::string setting = fmt::format("{} = \"{}\"", what, file);
+      EXPECT_NE(refusal("mirrored_placement", setting).find(why), std::string::npos) << file;
+      folder_.write(
+          "scripts/scenarios/elsewhere.lua",
+          fmt::format(R"(scenario "elsewhere" {{ behaviors = {{}}, {}, initial = "a", state "a" {{}} }})", setting));
       EXPECT_NE(refusal("elsewhere", "").find(why), std::string::npos) << file;
     }
   }

@@ -14,7 +14,7 @@ import { Robot } from "../../../workbench/views/live/page/dev/robot.mjs";
 const { chromium } = load("playwright-core");
 const [file, parametersFile] = process.argv.slice(2);
 const folder = join(dirname(fileURLToPath(import.meta.url)), "../../../workbench/views/live/page/built");
-const PATIENCE = 30_000; // ms, on a slow machine
+const PATIENCE = 120_000; // ms, on a slow machine
 const SCRIPT = "behaviors/orientation.lua";
 
 let browser, page, robot;
@@ -29,7 +29,7 @@ before(async () => {
   ]);
   robot = new Robot({ recording, folder, parameters, from: 38, loop: false, scripts });
   await robot.start();
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
   page = await open({ viewport: { width: 1366, height: 768 } });
 });
 after(async () => {

@@ -13,7 +13,7 @@ import { load } from "../../../workbench/views/live/page/packages.mjs";
 const { chromium } = load("playwright-core");
 const [program, folder] = process.argv.slice(2);
 const scripts = join(folder, "scripts");
-const PATIENCE = 60_000; // ms, on a slow machine
+const PATIENCE = 120_000; // ms, on a slow machine
 
 let run, browser, page;
 const messages = []; // of the console
@@ -28,7 +28,7 @@ before(async () => {
     });
     run.on("exit", (code) => reject(new Error(`expected a link, found the exit code ${code}`)));
   });
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox"] });
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
   const context = await browser.newContext({ viewport: { width: 1366, height: 768 } });
   context.setDefaultTimeout(PATIENCE);
   page = await context.newPage();
