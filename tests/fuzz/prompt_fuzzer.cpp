@@ -141,8 +141,9 @@ class Trial {
   }
 
   ConsoleSubject subject() {
-    return {
-        .scenario = &*scenario_, .parameters = [this] { return parameters(); }, .scripts = folder_.path() / "scripts"};
+    return {.scenario = &*scenario_,
+            .parameters = [this] { return parameters(); },
+            .scripts = [this] { return &engine_->scripts(); }};
   }
 
   /// Returns whether the prompt printed anything.
