@@ -117,6 +117,7 @@ TEST_F(ServedScripts, AreCheckedAlsoIfTheyAreDeepOrLong) {
 TEST_F(ServedScripts, AreCheckedOneAtATime) {
   std::vector<std::thread> viewers;
   std::vector<std::string> answers(4);
+  viewers.reserve(answers.size());
   for (std::string& answer : answers) {
     viewers.emplace_back([&] {
       try {
