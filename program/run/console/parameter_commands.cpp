@@ -13,11 +13,10 @@
 #include "program/run/console/name_pattern.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
+#include "workbench/scenario/parameter_edits.h"
 
 namespace reorient {
 namespace {
-
-constexpr std::size_t kMostChanges = 1000;  // that can be undone
 
 Words names_of(const std::vector<Parameter>& parameters) {
   Words names;
@@ -34,7 +33,6 @@ const Parameter& named(const std::vector<Parameter>& parameters, const std::stri
 }
 
 std::string outcome_text(const ParameterOutcome& outcome) {
-  if (outcome.value.empty()) return outcome.name + " is fixed during a run; set it with --set";
   return outcome.refusal.empty() ? outcome.name + " = " + outcome.value : outcome.refusal;
 }
 
@@ -47,35 +45,25 @@ ParameterCommands::ParameterCommands(ScenarioHost* scenario, std::function<std::
 Reply ParameterCommands::set(const std::string& name, const std::string& value, FrameInputs& inputs) {
   const std::vector<Parameter> all = parameters_();
   const Parameter& parameter = named(all, name);
-  // A default is not a value that was set: undo returns to what is the default then, which an edit may have changed.
-  const bool is_default = parameter.origin == ParameterOrigin::default_value;
-  const Change before{name, to_text(parameter.value), is_default ? parameter.origin : ParameterOrigin::live};
-  return change({name, value}, inputs, [this, before] {
-    if (before_.size() == kMostChanges) before_.erase(before_.begin());
+  const ParameterChange before = change_back_to(parameter);
+  return change({name, value, ParameterOrigin::live, ""}, inputs, [this, before] {
+    if (before_.size() == kMostUndoneChanges) before_.erase(before_.begin());
     before_.push_back(before);
   });
 }
 
 Reply ParameterCommands::undo(FrameInputs& inputs) {
   if (before_.empty()) return at_once("  no change to undo\n");
-  const Change last = before_.back();
+  const ParameterChange last = before_.back();
   before_.pop_back();
   return change(last, inputs, [] {});
 }
 
-/// A library's parameter may belong to behaviors and to the scenario: both are changed.
-Reply ParameterCommands::change(const Change& wanted, FrameInputs& inputs, std::function<void()> done) {
-  const ParameterChange change{wanted.name, wanted.value, wanted.origin, ""};
-  std::optional<ParameterOutcome> known;
-  if (scenario_ != nullptr) known = scenario_->change(change);
-  inputs.parameter_changes.push_back(change);
-  return [known, name = wanted.name, done = std::move(done)](const FrameRecord& frame, const SceneTruth&) {
-    ParameterOutcome outcome{name, {}, {}};
-    for (const ParameterOutcome& one : frame.parameter_changes) {
-      if (one.name == name) outcome = one;
-    }
-    if (known) outcome = *known;  // the engine may not have this parameter
-    if (!outcome.value.empty() && outcome.refusal.empty()) done();
+Reply ParameterCommands::change(const ParameterChange& wanted, FrameInputs& inputs, std::function<void()> done) {
+  const std::optional<ParameterOutcome> by_scenario = request_change(wanted, scenario_, inputs);
+  return [by_scenario, name = wanted.name, done = std::move(done)](const FrameRecord& frame, const SceneTruth&) {
+    const ParameterOutcome outcome = outcome_of_change(name, by_scenario, frame);
+    if (outcome.refusal.empty()) done();
     return "  " + printable(outcome_text(outcome)) + "\n";
   };
 }

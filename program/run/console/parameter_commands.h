@@ -29,19 +29,13 @@ class ParameterCommands {
   Words values(const std::string& name) const;
 
  private:
-  struct Change {
-    std::string name;
-    std::string value;
-    ParameterOrigin origin = ParameterOrigin::live;
-  };
-
   /// `done` is called if the change was accepted.
-  Reply change(const Change& wanted, FrameInputs& inputs, std::function<void()> done);
+  Reply change(const ParameterChange& wanted, FrameInputs& inputs, std::function<void()> done);
 
   ScenarioHost* scenario_;
   std::function<std::vector<Parameter>()> parameters_;
   std::function<std::vector<ParameterChange>()> kept_parameters_;
-  std::vector<Change> before_;  ///< the old value of each accepted change, the latest at the end
+  std::vector<ParameterChange> before_;  ///< what undoes each accepted change, the latest at the end
 };
 
 }  // namespace reorient

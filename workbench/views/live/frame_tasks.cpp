@@ -7,11 +7,11 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
+#include "workbench/scenario/parameter_edits.h"
 
 namespace reorient::live {
 namespace {
 
-constexpr std::size_t kMostUndone = 1000;
 constexpr std::size_t kMostChanges = 200;    // of a request, because they take time of a frame
 constexpr std::size_t kMostSuggestions = 3;  // of names, for the same reason
 
@@ -33,7 +33,7 @@ std::string unknown_text(const std::vector<Parameter>& all, const std::string& n
 }  // namespace
 
 void FrameTasks::begin(FrameRequest request, FrameInputs& inputs) {
-  Pending pending{.to = std::move(request.to), .known = {}, .changed = {}, .reply = {}, .failure = {}};
+  Pending pending{.to = std::move(request.to), .refused = {}, .changed = {}, .reply = {}, .failure = {}};
   try {
     std::visit([&](auto&& task) { start(std::forward<decltype(task)>(task), pending, inputs); },
                std::move(request.task));
@@ -45,17 +45,6 @@ void FrameTasks::begin(FrameRequest request, FrameInputs& inputs) {
 
 void FrameTasks::start(ListParameters&& /*task*/, Pending& /*pending*/, FrameInputs& /*inputs*/) {}
 
-/// A library's parameter may belong to behaviors and to the scenario: both are changed.
-void FrameTasks::change(const std::string& name, const std::string& value, Pending& pending, FrameInputs& inputs) {
-  const ParameterChange change{name, value, ParameterOrigin::live, ""};
-  if (subject_.scenario != nullptr) {
-    if (const std::optional<ParameterOutcome> known = subject_.scenario->change(change))
-      pending.known.push_back(*known);
-  }
-  inputs.parameter_changes.push_back(change);
-  pending.changed.push_back(name);
-}
-
 void FrameTasks::start(ChangeParameters&& task, Pending& pending, FrameInputs& inputs) {
   if (task.changes.size() > kMostChanges)
     throw std::runtime_error("expected at most " + std::to_string(kMostChanges) + " parameters in one request, found " +
@@ -64,25 +53,25 @@ void FrameTasks::start(ChangeParameters&& task, Pending& pending, FrameInputs& i
   for (const ParameterText& wanted : task.changes) {
     const Parameter* const parameter = parameter_named(all, wanted.name);
     if (parameter == nullptr) {
-      pending.known.push_back(
-          {wanted.name, "", unknown_text(all, wanted.name, pending.known.size() < kMostSuggestions)});
+      pending.refused.push_back(
+          {wanted.name, "", unknown_text(all, wanted.name, pending.refused.size() < kMostSuggestions)});
     } else if (!wanted.value) {
-      pending.known.push_back({wanted.name, to_text(parameter->value),
-                               wanted.name + ": expected a value (" + range_text(*parameter) + "), found none"});
+      pending.refused.push_back({wanted.name, to_text(parameter->value),
+                                 wanted.name + ": expected a value (" + range_text(*parameter) + "), found none"});
     } else {
-      if (before_.size() == kMostUndone) before_.erase(before_.begin());
-      before_.push_back({wanted.name, to_text(parameter->value)});
-      change(wanted.name, *wanted.value, pending, inputs);
+      const ParameterChange change{wanted.name, *wanted.value, ParameterOrigin::live, ""};
+      pending.changed.push_back({wanted.name, request_change(change, subject_.scenario, inputs)});
+      if (before_.size() == kMostUndoneChanges) before_.erase(before_.begin());
+      before_.push_back(change_back_to(*parameter));
     }
   }
 }
 
 void FrameTasks::start(UndoChange&& /*task*/, Pending& pending, FrameInputs& inputs) {
   if (before_.empty()) throw std::runtime_error("no change of a viewer to undo");
-  const OldValue last = before_.back();
+  const ParameterChange last = before_.back();
   before_.pop_back();
-  pending.undoes = true;
-  change(last.name, last.value, pending, inputs);
+  pending.changed.push_back({last.name, request_change(last, subject_.scenario, inputs), true});
 }
 
 void FrameTasks::start(AddNote&& task, Pending& pending, FrameInputs& inputs) {
@@ -119,15 +108,14 @@ bool FrameTasks::complete(Pending& pending, const FrameRecord& frame, const Scen
       answer.failure = as_line(error.what());
     }
   }
-  answer.outcomes = pending.known;
-  for (const std::string& name : pending.changed) {
-    const auto is_this = [&](const ParameterOutcome& one) { return one.name == name; };
-    if (std::any_of(pending.known.begin(), pending.known.end(), is_this)) continue;
-    const auto found = std::find_if(frame.parameter_changes.rbegin(), frame.parameter_changes.rend(), is_this);
-    ParameterOutcome outcome{name, {}, {}};
-    if (found != frame.parameter_changes.rend()) outcome = *found;
-    if (outcome.value.empty()) outcome.refusal = name + " is fixed during a run; set it with --set";
-    answer.outcomes.push_back(std::move(outcome));
+  answer.outcomes = pending.refused;
+  for (const RequestedChange& change : pending.changed) {
+    answer.outcomes.push_back(outcome_of_change(change.name, change.by_scenario, frame));
+    if (answer.outcomes.back().refusal.empty() || change.undoes) continue;
+    // Only accepted changes can be undone.
+    const auto last = std::find_if(before_.rbegin(), before_.rend(),
+                                   [&](const ParameterChange& back) { return back.name == change.name; });
+    if (last != before_.rend()) before_.erase(std::next(last).base());
   }
   if (pending.reloads) {
     for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads})
@@ -145,15 +133,6 @@ void FrameTasks::answer(const FrameRecord& frame, const SceneTruth& scene, std::
       if (!parameters) parameters = std::make_shared<const std::vector<Parameter>>(subject_.parameters());
       answer.parameters = parameters;
       if (subject_.kept_parameters) answer.kept = subject_.kept_parameters();
-    }
-    // Only accepted changes can be undone.
-    for (const ParameterOutcome& outcome : answer.outcomes) {
-      if (outcome.refusal.empty() || pending.undoes) continue;
-      const auto last =
-          std::find_if(before_.rbegin(), before_.rend(), [&](const OldValue& old) { return old.name == outcome.name; });
-      const bool was_tried =
-          std::find(pending.changed.begin(), pending.changed.end(), outcome.name) != pending.changed.end();
-      if (was_tried && last != before_.rend()) before_.erase(std::next(last).base());
     }
     answers.push_back(std::move(answer));
     return true;

@@ -45,16 +45,18 @@ class FrameTasks {
   Topics wanted() const;
 
  private:
+  struct RequestedChange {
+    std::string name;
+    std::optional<ParameterOutcome> by_scenario;
+    bool undoes = false;  // another one
+  };
   struct Pending {
     AnswerAddress to;
-    std::vector<ParameterOutcome> known;  // not from the frame
-    std::vector<std::string> changed;     // names whose outcome the frame contains
-    bool reads_parameters = true, reloads = false, undoes = false;
+    std::vector<ParameterOutcome> refused;  // without a frame
+    std::vector<RequestedChange> changed;
+    bool reads_parameters = true, reloads = false;
     PromptReply reply;
     std::string failure;
-  };
-  struct OldValue {
-    std::string name, value;
   };
 
   void start(ListParameters&& task, Pending& pending, FrameInputs& inputs);
@@ -63,12 +65,11 @@ class FrameTasks {
   void start(AddNote&& task, Pending& pending, FrameInputs& inputs);
   void start(ReloadScripts&& task, Pending& pending, FrameInputs& inputs);
   void start(AskPrompt&& task, Pending& pending, FrameInputs& inputs);
-  void change(const std::string& name, const std::string& value, Pending& pending, FrameInputs& inputs);
   bool complete(Pending& pending, const FrameRecord& frame, const SceneTruth& scene, FrameAnswer& answer);
 
   LiveSubject subject_;
   std::vector<Pending> pending_;
-  std::vector<OldValue> before_;  // of each accepted change, the latest at the end
+  std::vector<ParameterChange> before_;  // what undoes each change that is not refused, the latest at the end
 };
 
 }  // namespace reorient::live
