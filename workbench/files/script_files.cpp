@@ -68,6 +68,20 @@ bool is_below(const std::filesystem::path& folder, const std::filesystem::path& 
   return !error && !leads_out(real_folder, real_file);
 }
 
+std::string short_script_name(const std::string& file) {
+  const std::size_t begin = file.find('/') + 1;  // of npos: 0
+  return file.substr(begin, file.rfind(".lua") - begin);
+}
+
+std::vector<ScriptEdit> reloads_of(const ScriptTexts& texts, const std::string& name) {
+  std::vector<ScriptEdit> edits;
+  for (const std::string& file : texts.files()) {
+    if (name.empty() || file == name || short_script_name(file) == name)
+      edits.push_back({file, *texts.find(file), true});
+  }
+  return edits;
+}
+
 std::string script_named(const std::filesystem::path& root, const std::string& name) {
   std::error_code error;
   const std::filesystem::path path = name;

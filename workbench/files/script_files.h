@@ -28,6 +28,12 @@ std::optional<std::string> path_below(const std::filesystem::path& root, const s
 /// outside of the folder exists.
 bool is_below(const std::filesystem::path& folder, const std::filesystem::path& path);
 
+/// The short name of a script: "orientation" for "behaviors/orientation.lua".
+std::string short_script_name(const std::string& file);
+
+/// Edits that load the scripts of a name again, also unchanged ones: a file, or a short name; an empty name: all.
+std::vector<ScriptEdit> reloads_of(const ScriptTexts& texts, const std::string& name);
+
 /// The engine's name of a script that the user names by "orientation", a file below the root, or a path to that file.
 std::string script_named(const std::filesystem::path& root, const std::string& name);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "program/run/console/condition_values.h"
 #include "program/run/console/name_pattern.h"
 #include "program/run/console/world_commands.h"
+#include "workbench/files/script_files.h"
 
 namespace reorient {
 namespace {
@@ -101,12 +103,6 @@ const MachineStatus* find(const std::vector<MachineStatus>& machines, const Name
   return nullptr;
 }
 
-/// The short name of a script: "orientation" for "behaviors/orientation.lua".
-std::string script_name(const std::string& file) {
-  const std::size_t begin = file.find('/') + 1;  // of npos: 0
-  return file.substr(begin, file.rfind(".lua") - begin);
-}
-
 }  // namespace
 
 ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::function<const ScriptTexts*()> on_disk,
@@ -131,14 +127,10 @@ Reply ScriptCommands::why(const std::string& machine) const {
 
 Reply ScriptCommands::reload(const std::string& name, FrameInputs& inputs) const {
   const ScriptTexts& texts = *on_disk_();
-  bool is_known = false;
-  for (const std::string& file : texts.files()) {
-    if (!name.empty() && file != name && script_name(file) != name) continue;
-    is_known = true;
-    inputs.script_edits.push_back({file, *texts.find(file), true});
-  }
-  if (!is_known)
+  std::vector<ScriptEdit> edits = reloads_of(texts, name);
+  if (edits.empty())
     throw std::runtime_error("unknown script '" + name + "' below " + texts.root() + did_you_mean(name, scripts()));
+  std::move(edits.begin(), edits.end(), std::back_inserter(inputs.script_edits));
   return [](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
     std::string text;
     for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads}) {
@@ -160,7 +152,7 @@ void ScriptCommands::observe(const FrameRecord& frame, const SceneTruth& scene) 
 
 Words ScriptCommands::scripts() const {
   Words names;
-  for (const std::string& file : on_disk_()->files()) names.push_back(script_name(file));
+  for (const std::string& file : on_disk_()->files()) names.push_back(short_script_name(file));
   return names;
 }
 

@@ -30,12 +30,6 @@ std::string json_text(const ScriptJson& json) {
 
 bool is_test(const std::string& file) { return file.starts_with("tests/"); }
 
-/// The short name of a script: "orientation" for "behaviors/orientation.lua".
-std::string short_name(const std::string& file) {
-  const std::size_t begin = file.find('/') + 1;  // of npos: 0
-  return file.substr(begin, file.rfind(".lua") - begin);
-}
-
 [[noreturn]] void unknown_script(const std::string& name, const std::vector<std::string>& known) {
   const std::string begin = name.substr(0, 100);
   throw std::runtime_error("unknown script '" + as_line(begin) + "'" + did_you_mean(begin, known));
@@ -150,11 +144,7 @@ std::string ScriptServices::save(const std::string& payload) const {
 FrameTask ScriptServices::reload(const std::string& payload) const {
   const std::string name = ClientObject("reload", payload.empty() ? "{}" : payload).text_or_empty("script");
   const ScriptTexts texts = read_scripts(root_);
-  ReloadScripts reload;
-  for (const std::string& file : texts.files()) {
-    if (name.empty() || file == name || short_name(file) == name)
-      reload.edits.push_back({file, *texts.find(file), true});
-  }
+  ReloadScripts reload{reloads_of(texts, name)};
   if (reload.edits.empty()) unknown_script(name, texts.files());
   return reload;
 }
