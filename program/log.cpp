@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -11,7 +12,6 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/base_sink.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -44,8 +44,6 @@ class OneLine : public spdlog::custom_flag_formatter {
   std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<OneLine>(); }
 };
 
-using StandardError = spdlog::sinks::stderr_color_sink_mt;
-
 std::unique_ptr<spdlog::formatter> line_formatter() {
   auto formatter = std::make_unique<spdlog::pattern_formatter>();
   formatter->add_flag<RobotTime>('*').add_flag<OneLine>('?');
@@ -53,7 +51,6 @@ std::unique_ptr<spdlog::formatter> line_formatter() {
   return formatter;
 }
 
-/// As StandardError does it.
 Color color_of(spdlog::level::level_enum level) {
   switch (level) {
     case spdlog::level::debug:
@@ -67,10 +64,14 @@ Color color_of(spdlog::level::level_enum level) {
   }
 }
 
+/// Passes on whole lines, with their colors.
 class LineSink : public spdlog::sinks::base_sink<std::mutex> {
  public:
   LineSink(std::function<void(std::string_view)> write, bool is_colored)
-      : write_(std::move(write)), is_colored_(is_colored) {}
+      : write_(std::move(write)), is_colored_(is_colored) {
+    set_formatter(line_formatter());
+  }
+  bool is_colored() const { return is_colored_; }
 
  protected:
   void sink_it_(const spdlog::details::log_msg& message) override {
@@ -93,20 +94,18 @@ class LineSink : public spdlog::sinks::base_sink<std::mutex> {
 }  // namespace
 
 void set_up_log(const std::string& level, const std::string& color) {
-  const bool is_colored = are_colors_printed(color, STDERR_FILENO);
+  const auto write = [](std::string_view line) { std::fwrite(line.data(), 1, line.size(), stderr); };
   auto logger = std::make_shared<spdlog::logger>(
-      "reorient", std::make_shared<StandardError>(is_colored ? spdlog::color_mode::always : spdlog::color_mode::never));
-  logger->set_formatter(line_formatter());
+      "reorient", std::make_shared<LineSink>(write, are_colors_printed(color, STDERR_FILENO)));
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(std::move(logger));
 }
 
 LogRedirection::LogRedirection(std::function<void(std::string_view line)> write)
     : before_(spdlog::default_logger()->sinks().back()) {
-  auto* const terminal = dynamic_cast<StandardError*>(before_.get());
-  const auto sink = std::make_shared<LineSink>(std::move(write), terminal != nullptr && terminal->should_color());
-  sink->set_formatter(line_formatter());
-  spdlog::default_logger()->sinks().back() = sink;
+  const auto* const before = dynamic_cast<const LineSink*>(before_.get());
+  spdlog::default_logger()->sinks().back() =
+      std::make_shared<LineSink>(std::move(write), before != nullptr && before->is_colored());
 }
 
 LogRedirection::~LogRedirection() { spdlog::default_logger()->sinks().back() = before_; }
