@@ -50,13 +50,17 @@ std::optional<int> terminal_columns(int descriptor) {
   return size.ws_col;
 }
 
-std::string fitted_to_terminal(std::string line, int descriptor) {
+void show_status(std::ostream& err, bool is_terminal, const std::string& text) {
+  if (!is_terminal) {
+    err << text << '\n' << std::flush;
+    return;
+  }
   // A terminal may begin the next row as soon as a row is full.
-  const auto most = static_cast<std::size_t>(std::max(1, terminal_columns(descriptor).value_or(80) - 1));
-  if (line.size() <= most) return line;
-  line.resize(most);
+  std::string line =
+      text.substr(0, static_cast<std::size_t>(std::max(1, terminal_columns(STDERR_FILENO).value_or(80) - 1)));
   while (!is_utf8(line)) line.pop_back();
-  return line;
+  clear_terminal_line(err);
+  err << line << std::flush;
 }
 
 /// NO_COLOR: https://no-color.org

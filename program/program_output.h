@@ -37,8 +37,9 @@ void clear_terminal_line(std::ostream& out);
 /// Columns of a terminal: 80 if it does not know, nothing for a size that no terminal has.
 std::optional<int> terminal_columns(int descriptor);
 
-/// The beginning of a line of text that fits into one row of the terminal, which could not overwrite more.
-std::string fitted_to_terminal(std::string line, int descriptor);
+/// Shows a status on `err`, the standard error: on a terminal in the place of the last one, cut to one row because more
+/// could not be overwritten; elsewhere as a line.
+void show_status(std::ostream& err, bool is_terminal, const std::string& text);
 
 /// Whether to print colors to a descriptor. `asked`: always, never or auto (on a terminal, unless NO_COLOR is set).
 bool are_colors_printed(std::string_view asked, int descriptor);

@@ -25,11 +25,7 @@ void ProgressLine::restart() { next_ = Clock::now() + pause_; }
 
 void ProgressLine::show(std::string_view text) {
   restart();
-  if (is_terminal_) clear_terminal_line(err_);
-  if (is_terminal_)
-    err_ << fitted_to_terminal(as_line(text), STDERR_FILENO) << std::flush;
-  else
-    err_ << as_line(text) << '\n' << std::flush;
+  show_status(err_, is_terminal_, as_line(text));
   is_shown_ = is_terminal_;
 }
 

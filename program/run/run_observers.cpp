@@ -80,12 +80,7 @@ void Progress::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const std::string line =
       fmt::format("{:6.1f} s  {:.1f}x real time  evidence {:+.1f} ({}){}", time, (time - *first_time_) / passed,
                   frame.world.confidence.evidence, to_string(frame.world.room_status), as_line(states));
-  if (terminal_) {
-    clear_terminal_line(err_);
-    err_ << fitted_to_terminal(line, STDERR_FILENO) << std::flush;
-  } else {
-    err_ << line << '\n' << std::flush;
-  }
+  show_status(err_, terminal_, line);
 }
 
 void Progress::make_room() {
