@@ -46,12 +46,18 @@ function(reorient_include_root target scope)
   target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${root}>")
 endfunction()
 
-# reorient_embed(VARIABLE file...): VARIABLE becomes the rows of a C++ table, {"name", R"text(...)text"}, with the text of
-# each file under its name without the extension. A program then contains the texts and reads no folder.
+# reorient_embed(VARIABLE [WITH_EXTENSIONS] file...): VARIABLE becomes the rows of a C++ table, {"name", R"text(...)text"},
+# with the text of each file under its name, without the extension if WITH_EXTENSIONS is not given. A program then contains
+# the texts and reads no folder.
 function(reorient_embed variable)
+  cmake_parse_arguments(PARSE_ARGV 1 EMBEDDED "WITH_EXTENSIONS" "" "")
   set(rows)
-  foreach(file ${ARGN})
-    cmake_path(GET file STEM LAST_ONLY name)
+  foreach(file ${EMBEDDED_UNPARSED_ARGUMENTS})
+    if(EMBEDDED_WITH_EXTENSIONS)
+      cmake_path(GET file FILENAME name)
+    else()
+      cmake_path(GET file STEM LAST_ONLY name)
+    endif()
     file(READ "${file}" text)
     string(APPEND rows "      {\"${name}\", R\"text(${text})text\"},\n")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
