@@ -83,17 +83,16 @@ class CoverageObserver : public Observer {
 
 /// A test may name scripts below the root only. Throws std::runtime_error for the path of another file, without looking
 /// whether it exists.
-void require_script_below(const ScriptTexts& texts, const char* folder, const std::string& name) {
+void require_script_below(const std::filesystem::path& scripts, const char* folder, const std::string& name) {
   const bool is_path = name.ends_with(".lua") || name.find('/') != std::string::npos;
-  if (is_path && texts.find(script_file(folder, name)) == nullptr)
+  if (is_path && read_scripts(scripts).find(script_file(folder, name)) == nullptr)
     throw std::runtime_error("simulate: expected a script below the root of the scripts, found '" + name + "'");
 }
 
 SimulationOutcome simulate(const std::filesystem::path& scripts, const SimulationRequest& request, CoverageTrace& trace,
                            const std::function<bool()>& stop, TestProgress& progress) {
-  const ScriptTexts texts = read_scripts(scripts);
-  require_script_below(texts, "scenarios", request.scenario);
-  for (const std::string& behavior : request.with) require_script_below(texts, "behaviors", behavior);
+  require_script_below(scripts, "scenarios", request.scenario);
+  for (const std::string& behavior : request.with) require_script_below(scripts, "behaviors", behavior);
   SimulationOptions options;
   options.scenario = request.scenario;
   options.with = request.with;

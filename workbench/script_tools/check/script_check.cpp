@@ -107,7 +107,7 @@ class ScriptCheck {
   /// machine stay unknown.
   void take_in_text(const std::string& file) {
     const ScriptText* const script = texts_.find(file);
-    if (script == nullptr) return;
+    if (script == nullptr || !taken_in_texts_.insert(file).second) return;
     const std::string stem = std::filesystem::path(file).stem().string();
     const std::vector<LuaToken> tokens = lua_tokens(script->text);
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
@@ -232,7 +232,7 @@ class ScriptCheck {
   ParameterRegistry core_parameters_;  ///< the engine's, whose names scripts must not use
   DeclaredNames declared_;
   std::map<std::string, std::shared_ptr<TableSymbol>> modules_;
-  std::set<std::string> checked_libraries_;
+  std::set<std::string> checked_libraries_, taken_in_texts_;
   CheckResult result_;
 };
 
