@@ -8,12 +8,10 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 
-import { load } from "../../../workbench/views/live/page/packages.mjs";
+import { launch, openPage, untilListed } from "./browser.mjs";
 
-const { chromium } = load("playwright-core");
 const [program, folder] = process.argv.slice(2);
 const scripts = join(folder, "scripts");
-const PATIENCE = 120_000; // ms, on a slow machine
 
 let run, browser, page;
 const messages = []; // of the console
@@ -28,15 +26,8 @@ before(async () => {
     });
     run.on("exit", (code) => reject(new Error(`expected a link, found the exit code ${code}`)));
   });
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
-  const context = await browser.newContext({ viewport: { width: 1366, height: 768 } });
-  context.setDefaultTimeout(PATIENCE);
-  page = await context.newPage();
-  page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) messages.push(message.text());
-  });
-  page.on("pageerror", (error) => messages.push(`${error.message}\n${error.stack}`));
-  await page.goto(link);
+  browser = await launch();
+  page = await openPage(browser, { viewport: { width: 1366, height: 768 } }, link, messages);
 });
 after(async () => {
   await browser?.close();
@@ -46,14 +37,7 @@ after(async () => {
 
 test("the page shows the frames of the run", async () => {
   await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
-  for (const [key, panel, row] of [
-    ["4", "behaviors", ".machine"],
-    ["5", "parameters", ".parameter"],
-    ["6", "world", ".values tr"],
-  ]) {
-    await page.keyboard.press(key);
-    await page.locator(`[data-panel=${panel}] ${row}`).nth(4).waitFor();
-  }
+  await untilListed(page);
 });
 
 test("a slider changes the parameter of the robot", async () => {

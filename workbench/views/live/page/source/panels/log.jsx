@@ -4,6 +4,7 @@ import { useState } from "preact/hooks";
 
 import { fixed } from "../format.js";
 import { store } from "../robot.js";
+import { SearchBox } from "../search_box.jsx";
 import { set, settings } from "../settings.js";
 import { useChanges } from "../ticker.js";
 
@@ -38,14 +39,7 @@ function Log() {
   return (
     <div class="fill column">
       <div class="row pad">
-        <input
-          class="grow"
-          type="search"
-          placeholder="Search the log"
-          aria-label="Search the log"
-          value={search}
-          onInput={(event) => setSearch(event.currentTarget.value)}
-        />
+        <SearchBox placeholder="Search the log" value={search} onSearch={setSearch} />
       </div>
       <div class="chips" role="group" aria-label="Levels">
         {LEVELS.map(([level, name]) => (

@@ -4,6 +4,7 @@ import { useRef, useState } from "preact/hooks";
 
 import { entered } from "../format.js";
 import { canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
+import { SearchBox } from "../search_box.jsx";
 import { useChanges } from "../ticker.js";
 
 const LONGEST_LIST = 120;
@@ -180,13 +181,11 @@ function ParametersPanel() {
   return (
     <div class="fill column">
       <div class="row pad">
-        <input
-          class="grow"
-          type="search"
+        <SearchBox
           placeholder="Search a name or description"
-          aria-label="Search parameters"
+          label="Search parameters"
           value={search}
-          onInput={(event) => setSearch(event.currentTarget.value)}
+          onSearch={setSearch}
         />
         <button
           class="button"

@@ -18,6 +18,7 @@ import {
   updateResult,
   workplace,
 } from "../scripts/workplace.js";
+import { SearchBox } from "../search_box.jsx";
 import { useChanges } from "../ticker.js";
 
 const LOOK = 2000; // ms between two looks at the disk
@@ -29,14 +30,7 @@ function Files() {
   return (
     <div class="fill column">
       <div class="row pad">
-        <input
-          class="grow"
-          type="search"
-          placeholder="Search the scripts"
-          aria-label="Search the scripts"
-          value={search}
-          onInput={(event) => setSearch(event.currentTarget.value)}
-        />
+        <SearchBox placeholder="Search the scripts" value={search} onSearch={setSearch} />
       </div>
       {workplace.problem && <div class="fault pad">{workplace.problem}</div>}
       <ul class="scroll files">

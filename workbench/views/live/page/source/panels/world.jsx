@@ -4,6 +4,7 @@ import { useState } from "preact/hooks";
 
 import { plain } from "../format.js";
 import { store } from "../robot.js";
+import { SearchBox } from "../search_box.jsx";
 import { set, settings } from "../settings.js";
 import { useChanges } from "../ticker.js";
 
@@ -54,13 +55,11 @@ function World() {
   return (
     <div class="fill column">
       <div class="row pad">
-        <input
-          class="grow"
-          type="search"
+        <SearchBox
           placeholder="Search a name, such as pose."
-          aria-label="Search values of the world"
+          label="Search values of the world"
           value={search}
-          onInput={(event) => setSearch(event.currentTarget.value)}
+          onSearch={setSearch}
         />
       </div>
       <div class="scroll">
