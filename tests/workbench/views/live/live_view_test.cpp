@@ -337,6 +337,10 @@ TEST_F(ViewedRun, UndoesChangesOfViewersOneAfterTheOther) {
   EXPECT_EQ(undo()["parameters"][0]["value"], before);
   EXPECT_EQ(undo()["op"], "serviceCallFailure");
   EXPECT_EQ(value(kParameter), before);
+  const std::vector<Parameter> all = loop.engine->parameters();
+  const auto found = std::find_if(all.begin(), all.end(), [](const Parameter& one) { return one.name == kParameter; });
+  ASSERT_NE(found, all.end());
+  EXPECT_EQ(found->origin, ParameterOrigin::default_value) << "an edit of the default would not be hidden";
 }
 
 TEST_F(ViewedRun, IsNotChangedWithoutTheToken) {

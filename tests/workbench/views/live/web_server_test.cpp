@@ -183,6 +183,16 @@ TEST_F(ServedPage, SurvivesMalformedRequests) {
   EXPECT_TRUE(get("/").starts_with("HTTP/1.1 200 "));
 }
 
+TEST_F(ServedPage, AnswersARequestThatIsNotHttpAsAnyOther) {
+  start();
+  for (const std::string method : {"", "\x16\x03\x01", "GET /"}) {
+    const std::string response = get("/", "Host: localhost\r\n", method);
+    EXPECT_TRUE(response.starts_with("HTTP/1.1 4") || response.starts_with("HTTP/1.1 5")) << response;
+    EXPECT_NE(response.find("Content-Security-Policy"), std::string::npos) << response;
+    EXPECT_EQ(response.find("Date:"), std::string::npos) << "civetweb's threads share the text of this header";
+  }
+}
+
 TEST_F(ServedPage, EndsWithinASecondAlsoWithViewersThatDoNotRead) {
   start();
   TestViewer stalled(server->port(), 4096), half_open(server->port()), silent(server->port()), fine(server->port());

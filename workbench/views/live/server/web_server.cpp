@@ -223,6 +223,11 @@ WebServer::WebServer(WebServerOptions options, Find find, Open open)
   callbacks.begin_request = [](mg_connection* connection) {
     return static_cast<Parts*>(mg_get_user_data(mg_get_context(connection)))->begin_request(connection);
   };
+  // civetweb's own answer to a request that it cannot read has a Date header, whose text its threads share.
+  callbacks.http_error = [](mg_connection* connection, int status, const char* /*message*/) {
+    respond(connection, status, "text/plain; charset=utf-8", "expected an HTTP request that this server reads\n", true);
+    return 0;
+  };
   callbacks.log_message = [](const mg_connection* connection, const char* message) {
     auto* const all = static_cast<Parts*>(mg_get_user_data(mg_get_context(connection)));
     if (all != nullptr && all->is_starting) all->trouble = message;
