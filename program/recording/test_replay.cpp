@@ -14,6 +14,7 @@
 #include "geometry/bytes.h"
 #include "workbench/files/script_files.h"
 #include "workbench/recording/comparison.h"
+#include "workbench/recording/recording.h"
 #include "workbench/recording/replay.h"
 
 namespace reorient {

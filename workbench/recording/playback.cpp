@@ -6,13 +6,13 @@
 
 namespace reorient {
 
-Playback::Playback(Recording& recording, double from, double to) : recording_(recording), to_(to + kReadingError) {
-  is_over_ = !recording_.go_to(from);
+Playback::Playback(FrameSource& source, double from, double to) : source_(source), to_(to + kReadingError) {
+  is_over_ = !source_.go_to(from);
 }
 
 bool Playback::next_stretch() {
   while (!is_over_) {
-    if ((!std::exchange(is_waiting_, false) && !recording_.next(frame_)) || frame_.entry.time > to_) {
+    if ((!std::exchange(is_waiting_, false) && !source_.next(frame_)) || frame_.entry.time > to_) {
       is_over_ = true;
       break;
     }
@@ -28,7 +28,7 @@ bool Playback::next_stretch() {
 bool Playback::observe(Observation& observation) {
   if (is_over_ || is_waiting_) return false;
   if (!std::exchange(begins_, false)) {
-    if (!recording_.next(frame_)) {
+    if (!source_.next(frame_)) {
       is_over_ = true;
       return false;
     }
@@ -40,7 +40,7 @@ bool Playback::observe(Observation& observation) {
   try {
     take_inputs();
   } catch (const BadBytes& bad) {
-    recording_.add_damage(frame_, bad.what());
+    source_.add_damage(frame_, bad.what());
     frame_.state.clear();  // so that the next section does not begin with this frame
     is_waiting_ = true;
     return false;
@@ -50,7 +50,7 @@ bool Playback::observe(Observation& observation) {
 }
 
 void Playback::skip(const BadBytes& reason) {
-  recording_.add_damage(frame_, std::string("the state of the engine: ") + reason.what());
+  source_.add_damage(frame_, std::string("the state of the engine: ") + reason.what());
   begins_ = false;
   ++skipped_;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A recording as a robot: its observations, the inputs that were set, and its true pose. The run ends with a section of
-// frames that can be replayed exactly; another section may follow.
+// Recorded frames as a robot: its observations, the inputs that were set, and its true pose. The run ends with a
+// section of frames that can be replayed exactly; another section may follow.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 #include "geometry/bytes.h"
 #include "robots/operator.h"
 #include "robots/robot.h"
-#include "workbench/recording/recording.h"
+#include "workbench/recording/frame_source.h"
 #include "workbench/run/run_loop.h"
 
 namespace reorient {
 
 class Playback : public Robot, public InputSource, public GroundTruthSource {
  public:
-  /// Plays from the last state before `from` (s of the robot), without sections that begin after `to`. The recording
-  /// must outlive it.
-  Playback(Recording& recording, double from, double to);
+  /// Plays from the last state before `from` (s of the robot), without sections that begin after `to`. The source must
+  /// outlive it.
+  Playback(FrameSource& source, double from, double to);
 
   /// Goes to the next section and skips frames that cannot be replayed. False: no section is left.
   bool next_stretch();
@@ -42,7 +42,7 @@ class Playback : public Robot, public InputSource, public GroundTruthSource {
  private:
   void take_inputs();
 
-  Recording& recording_;
+  FrameSource& source_;
   double to_;
   RecordedFrame frame_;
   std::optional<StoredInputs> inputs_;

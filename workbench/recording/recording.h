@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/image.h"
-#include "workbench/recording/frame_entry.h"
+#include "workbench/recording/frame_source.h"
 #include "workbench/recording/mcap/contents.h"
 #include "workbench/recording/mcap/data.h"
 #include "workbench/recording/mcap/ordered_messages.h"
@@ -23,18 +22,7 @@
 
 namespace reorient {
 
-struct RecordedFrame {
-  FrameEntry entry;                ///< image_is_exact is false for images that are missing in the file
-  std::array<Image, 2> images;     ///< valid if entry.image_is_exact
-  std::vector<std::byte> state;    ///< of the engine before the frame; empty: not recorded here
-  bool follows = false;            ///< the previously read frame is its predecessor
-  std::vector<ViewMessage> views;  ///< messages for viewers, if the recording reads them, too
-};
-
-/// Tolerance in s, because users read and enter times of a recording with two decimals.
-inline constexpr double kReadingError = 0.01;
-
-class Recording {
+class Recording : public FrameSource {
  public:
   /// Throws std::runtime_error with one line if the file cannot be read or is not a recording of reorient.
   explicit Recording(const std::filesystem::path& file);
@@ -69,10 +57,8 @@ class Recording {
 
   /// The next frame; false after the last one. Leaves out what cannot be read. Throws std::runtime_error with one line
   /// if the format is another one.
-  bool next(RecordedFrame& frame);
-  /// Makes the next frame the latest one with a state of the engine at or before `time` (s of the robot), or else the
-  /// first one with a state. False: no frame has a state.
-  bool go_to(double time);
+  bool next(RecordedFrame& frame) override;
+  bool go_to(double time) override;
 
   /// Counts the remaining messages, of any format.
   void count_messages();
@@ -94,8 +80,7 @@ class Recording {
   /// Descriptions of the damages that were found so far, with their positions; at most kMostDamages and a last line.
   const std::vector<std::string>& damages() const { return damages_; }
   static constexpr std::size_t kMostDamages = 20;
-  /// Adds a damage that a reader of the frame has found.
-  void add_damage(const RecordedFrame& frame, const std::string& what);
+  void add_damage(const RecordedFrame& frame, const std::string& what) override;
 
  private:
   /// What a channel contains.

@@ -19,8 +19,8 @@ void AddedInputs::add(const FrameInputs& more) { append_all(more, next_); }
 
 void AddedInputs::add_to(FrameInputs& inputs) { append_all(std::exchange(next_, {}), inputs); }
 
-Replay::Replay(Recording& recording, double from, double to) : playback_(nullptr), to_(to) {
-  auto playback = std::make_unique<Playback>(recording, from, to);
+Replay::Replay(FrameSource& source, double from, double to) : playback_(nullptr), to_(to) {
+  auto playback = std::make_unique<Playback>(source, from, to);
   playback_ = playback.get();
   robot_ = {std::move(playback), {}, RobotInstance::Clock::simulated, nullptr, playback_};
 }

@@ -29,8 +29,8 @@ class AddedInputs : public InputSource {
 class Replay {
  public:
   /// `from`, `to`: s of the robot. Replays from the last state before `from` up to the first frame that is not before
-  /// `to`. The recording must outlive it.
-  explicit Replay(Recording& recording, double from = 0.0, double to = std::numeric_limits<double>::infinity());
+  /// `to`. The source must outlive it.
+  explicit Replay(FrameSource& source, double from = 0.0, double to = std::numeric_limits<double>::infinity());
 
   Playback& playback() { return *playback_; }
   const Playback& playback() const { return *playback_; }
