@@ -115,6 +115,46 @@ TEST_F(LiveRunOfAUser, ReplaysToTheSameDigestAlsoIfAViewerTunedIt) {
   EXPECT_NE(run->out().find("live view: 1 viewer; "), std::string::npos) << run->out();
 }
 
+TEST_F(LiveRunOfAUser, TriesChangesWithoutTouchingTheRun) {
+  start({"--seconds", "6"});
+  const auto viewer = connect();
+  const LiveJson change{{"parameters", {{{"name", "head_scan.timeout"}, {"value", 0.5}}}}};
+  LiveJson answer;
+  std::uint32_t number = 10;
+  const auto ask = [&](const LiveJson& request) {
+    viewer->call(live::id_of(Service::what_if), ++number, request.dump());
+    return viewer->await_response(number);
+  };
+  // Until the head has turned back sooner than it did.
+  do {
+    answer = ask(change);
+    ASSERT_FALSE(answer.is_null()) << "the run has ended";
+  } while (answer.value("first_decision", LiveJson()).is_null());
+  EXPECT_NE(answer["first_decision"]["text"].get<std::string>().find("head_scan"), std::string::npos);
+  EXPECT_EQ(answer["first_decision"]["tried"], true);
+  EXPECT_EQ(answer["time"].size(), answer["frames"].get<std::size_t>());
+  EXPECT_EQ(answer["tried"]["evidence"].size(), answer["time"].size());
+  EXPECT_NE(ask({{"parameters", {{{"name", "no.such"}, {"value", 1}}}}}).value("message", "").find("no.such"),
+            std::string::npos);
+  EXPECT_NE(ask({{"scripts", {{{"file", "behaviors/head_scan.lua"}, {"text", "broken("}}}}})
+                .value("message", "")
+                .find("head_scan.lua:1"),
+            std::string::npos);
+  run->wait();
+  const ProgramRun alone =
+      run_reorient({"run", "patrol", "--width", "160", "--no-pictures", "--seconds", "6", "--log", "off"});
+  EXPECT_EQ(digest(), digest_of(alone)) << "nothing of it reaches the run";
+}
+
+TEST_F(LiveRunOfAUser, KeepsNoFramesWithoutMemory) {
+  start({"--seconds", "2", "--live-memory", "0"});
+  const auto viewer = connect();
+  EXPECT_NE(call(*viewer, Service::what_if, {{"parameters", {{{"name", "a"}, {"value", 1}}}}})
+                .value("message", "")
+                .find("keeps no frames"),
+            std::string::npos);
+}
+
 TEST_F(LiveRunOfAUser, HasTheDigestOfARunWithoutViewers) {
   start({"--seconds", "3"});
   const auto viewer = connect();

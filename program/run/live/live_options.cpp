@@ -15,6 +15,8 @@
 namespace reorient {
 namespace {
 
+constexpr double kMostMegabytes = 16384.0;
+
 std::string check_port(const std::string& text) {
   if (text.empty()) return {};
   int port = -1;
@@ -64,6 +66,13 @@ void add_live_options(CLI::App& parser, LiveOptions& options, const char* group)
       ->check(check_origin)
       ->needs(live)
       ->allow_extra_args(false);
+  parser
+      .add_option("--live-memory", options.memory,
+                  "MB of the latest frames to keep for what-if; 0: no what-if (default: 256; with a NAO: 0)")
+      ->type_name("MB")
+      ->group(group)
+      ->check(CLI::Range(0.0, kMostMegabytes))
+      ->needs(live);
 }
 
 void find_live(const CLI::App& parser, LiveOptions& options) {
@@ -81,6 +90,12 @@ LiveViewOptions live_view_options(const LiveOptions& options, LiveLoad load) {
   if (!options.images.empty()) view.jpeg_quality = viewer_image_quality(options.images, "--view-images");
   view.every = is_light ? 2 : 1;
   return view;
+}
+
+std::size_t live_memory(const LiveOptions& options, LiveLoad load) {
+  constexpr double kUsual = 256.0;
+  const double megabytes = options.memory.value_or(load == LiveLoad::light ? 0.0 : kUsual);
+  return static_cast<std::size_t>(megabytes * 1e6);
 }
 
 }  // namespace reorient

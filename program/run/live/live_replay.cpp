@@ -12,9 +12,11 @@
 #include "program/interruption.h"
 #include "program/recording/damages.h"
 #include "program/run/console/command_table.h"
+#include "program/run/live/live_what_if.h"
 #include "program/run/live/run_live_view.h"
 #include "program/run/live_run.h"
 #include "workbench/files/script_files.h"
+#include "workbench/recording/recording.h"
 #include "workbench/recording/replay.h"
 #include "workbench/views/live/live_view.h"
 
@@ -99,7 +101,8 @@ class LiveReplay {
                                           [this](const Words& words) {
                                             FrameInputs unchanged;
                                             return commands_.obey(words, unchanged);
-                                          }});
+                                          },
+                                          make_what_if(options_.live, LiveLoad::usual)});
     shown_.emplace(*view_, commands_);
   }
 

@@ -53,9 +53,29 @@ test("a slider changes the parameter of the robot", async () => {
   await page.getByText("The robot uses 10 instead of 99.").waitFor();
 });
 
+test("a what-if on a slider shows both futures, and the robot keeps its value", async () => {
+  const panel = page.locator("[data-panel=parameters]");
+  await page.keyboard.press("Escape"); // leaves the box
+  await panel.locator("input[type=search]").fill("head_scan.timeout");
+  await panel.getByRole("button", { name: "What if" }).click();
+  const slider = page.locator('input[aria-label="head_scan.timeout as a slider"]');
+  await slider.focus();
+  await slider.press("Home");
+  await page.getByText("The first decision that differs").waitFor();
+  const verdict = await page.locator(".verdict").textContent();
+  assert.match(verdict, /the robot would have done this then: head_scan: /);
+  assert.match(verdict, /\d+ frames from .* replayed in/);
+  await panel.getByText("what if 0.5; the robot has 4").waitFor();
+  await page.getByRole("button", { name: "Drop all" }).click();
+  await panel.getByRole("button", { name: "What if" }).click();
+  await panel.getByText("default 4").waitFor();
+  assert.equal(await page.locator('input[aria-label="head_scan.timeout"]').inputValue(), "4");
+});
+
 test("a note is answered by the run", async () => {
   await page.keyboard.press("Escape"); // leaves the box
   await page.keyboard.press("n");
+  await page.locator("#note:focus").waitFor();
   await page.keyboard.type("a note of the test");
   await page.keyboard.press("Enter");
   await page.locator("[data-panel=notes]").getByText("a note of the test").first().waitFor();

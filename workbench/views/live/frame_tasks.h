@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "engine/frame_inputs.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/views/live/requests.h"
+#include "workbench/views/live/what_ifs.h"
 
 namespace reorient::live {
 
@@ -25,6 +27,7 @@ struct LiveSubject {
   std::filesystem::path scripts;                                  ///< their root
   /// Executes a command of the prompt that changes nothing. Throws std::runtime_error with one line. May be empty.
   std::function<PromptReply(const std::vector<std::string>& words)> ask;
+  std::shared_ptr<WhatIf> what_if{};  ///< nullptr: the run keeps no frames
 };
 
 class FrameTasks {

@@ -48,7 +48,8 @@ LiveView::LiveView(LiveViewOptions options, live::LiveSubject subject)
       token_(live::make_token()),
       tasks_(std::move(subject)),
       scripts_(tasks_.subject().scripts),
-      session_parts_{viewers_, requests_, scripts_, server_info_of(options_)},
+      what_ifs_(viewers_, tasks_.subject().what_if.get()),
+      session_parts_{viewers_, requests_, scripts_, what_ifs_, server_info_of(options_)},
       messages_(std::clamp(options_.jpeg_quality, 1, 100)) {
   if (options_.data_start) {
     session_parts_.control_playback = [this](live::ViewerId viewer, const live::ControlPlayback& control) {
@@ -134,7 +135,9 @@ ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
   return topics;
 }
 
-void LiveView::before(const FrameInputs& inputs, const FrameLoop& /*engine*/) {
+void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
+  is_kept_ = tasks_.subject().what_if && viewers_.any();
+  if (is_kept_) tasks_.subject().what_if->memory().before(inputs, engine);
   wanted_ = tasks_.wanted();
   const ViewerTopics topics = due_topics(inputs);
   if (topics.none()) return;
@@ -156,6 +159,7 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& /*engine*/) {
 }
 
 void LiveView::observe(const FrameRecord& frame, const SceneTruth& scene) {
+  if (is_kept_) tasks_.subject().what_if->memory().observe(frame, scene);
   answers_.clear();
   tasks_.answer(frame, scene, answers_);
   if (viewers_.any_watches() && may_have_changed_parameters(frame, scene)) {

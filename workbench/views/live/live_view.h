@@ -86,13 +86,15 @@ class LiveView : public InputSource, public Observer {
   std::unique_ptr<live::FrameCopy> copy_;  // of the coming frame; nullptr: nothing is copied
   Topics wanted_;
   std::uint64_t frames_ = 0;
-  bool begins_ = false;  // a viewer needs the lasting messages
+  bool is_kept_ = false;  // the coming frame, for what-if
+  bool begins_ = false;   // a viewer needs the lasting messages
   std::vector<live::FrameAnswer> answers_;
 
   live::Viewers viewers_;
   live::BoundedQueue<live::FrameRequest> requests_{256};
   live::BoundedQueue<live::ControlPlayback> controls_{64};
   const live::ScriptServices scripts_;
+  live::WhatIfs what_ifs_;
   live::SessionParts session_parts_;
 
   mutable std::mutex mutex_;  // protects all members below

@@ -27,9 +27,10 @@ enum class Service {
   reload,
   states,
   why,
-  world
+  world,
+  what_if
 };
-inline constexpr std::size_t kServiceCount = 14;
+inline constexpr std::size_t kServiceCount = 15;
 
 struct ServiceRow {
   Service service;
@@ -78,6 +79,11 @@ inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
      R"({"machine":"orientation"})", R"({"text":"..."})"},
     {Service::world, "world", false, "world fields and their values now", R"({"pattern":"pose.*"})",
      R"({"text":"..."})"},
+    {Service::what_if, "what_if", true,
+     "replays the last seconds with other parameters and scripts, without changing the run; a newer question of the "
+     "same viewer replaces it",
+     R"({"parameters":[{"name":"orientation.hold_time","value":2.0}],"scripts":[{"file":"behaviors/orientation.lua","text":"..."}],"seconds":30.0})",
+     R"({"from":13.4,"to":43.4,"frames":900,"gap":false,"seconds":0.7,"first_decision":{"time":43.4,"text":"...","recorded":true,"tried":false},"guess_from":43.4,"first_action":{"time":43.4,"what":"reorientation","recorded":"flip_pose","tried":"nothing"},"time":[13.4],"recorded":{"evidence":[0.0],"current":[0.0],"opposite":[0.0],"status":["resting"]},"tried":{"evidence":[0.0],"current":[0.0],"opposite":[0.0],"status":["resting"]},"states":[{"time":13.4,"machine":"orientation","state":"watching/unconfirmed","recorded":true,"tried":true}],"events":[{"time":43.4,"text":"...","recorded":true,"tried":false}]})"},
 }};
 
 /// The ids of services begin at 1.

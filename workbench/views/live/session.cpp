@@ -24,7 +24,10 @@ Session::Session(const SessionParts& parts, std::shared_ptr<ViewerMailbox> mailb
   viewer_ = parts_.viewers.add(mailbox_);
 }
 
-Session::~Session() { parts_.viewers.remove(viewer_); }
+Session::~Session() {
+  parts_.what_ifs.forget(viewer_);
+  parts_.viewers.remove(viewer_);
+}
 
 void Session::warn(const std::string& problem) {
   mailbox_->add_control(status(StatusLevel::warning, as_line(problem)));
@@ -108,6 +111,7 @@ void Session::take(const CallService& message) {
   AnswerAddress to{.viewer = viewer_, .service = message.service, .call = message.call};
   try {
     FrameTask task = read_call(message, to);
+    if (static_cast<Service>(to.row) == Service::what_if) return parts_.what_ifs.ask(to, message.payload);
     if (const auto json = parts_.scripts.answer(static_cast<Service>(to.row), message.payload)) return respond(*json);
     if (!post({std::move(to), std::move(task)})) throw std::runtime_error(kTooMany);
   } catch (const std::exception& error) {  // whatever it is, the run continues

@@ -12,6 +12,7 @@
 #include "workbench/views/live/script_services.h"
 #include "workbench/views/live/server/web_server.h"
 #include "workbench/views/live/viewers.h"
+#include "workbench/views/live/what_ifs.h"
 
 namespace reorient::live {
 
@@ -20,6 +21,7 @@ struct SessionParts {
   Viewers& viewers;
   BoundedQueue<FrameRequest>& requests;
   const ScriptServices& scripts;
+  WhatIfs& what_ifs;
   ServerInfo info;
   /// Of a replay with a time bar; may be empty.
   std::function<void(ViewerId, const ControlPlayback&)> control_playback{};

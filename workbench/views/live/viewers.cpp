@@ -19,6 +19,7 @@ ViewerId Viewers::add(Mailbox mailbox) {
   const std::lock_guard lock(mutex_);
   viewers_[next_].mailbox = std::move(mailbox);
   ++gone_.viewers;
+  update_flags();
   return next_++;
 }
 
@@ -40,6 +41,7 @@ void Viewers::update_flags() {
     watches = watches || viewer.watches_all || !viewer.watched.empty();
   }
   subscribed_ = topics.to_ulong();
+  any_ = !viewers_.empty();
   any_watches_ = watches;
 }
 

@@ -36,6 +36,7 @@ class Viewers {
 
   // For the thread of the frames, without waiting.
   ViewerTopics subscribed() const { return ViewerTopics(subscribed_.load(std::memory_order_relaxed)); }
+  bool any() const { return any_.load(std::memory_order_relaxed); }
   bool any_watches() const { return any_watches_.load(std::memory_order_relaxed); }
   /// Whether a lasting topic has a new subscriber since the last call.
   bool take_new_subscriber() { return has_new_subscriber_.exchange(false, std::memory_order_relaxed); }
@@ -76,7 +77,7 @@ class Viewers {
   ViewerId next_ = 1;
   Counts gone_;
   std::atomic<unsigned long> subscribed_ = 0;
-  std::atomic<bool> any_watches_ = false, has_new_subscriber_ = false;
+  std::atomic<bool> any_ = false, any_watches_ = false, has_new_subscriber_ = false;
 };
 
 }  // namespace reorient::live

@@ -3,6 +3,7 @@
 #include "workbench/views/live/live_view.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,26 @@ std::vector<ViewerTopic> all_topics() {
   return topics;
 }
 
+/// Answers as the example of the service; a question that contains "slow" only once it is stopped.
+class TestedWhatIf : public WhatIf, public Observer {
+ public:
+  Observer& memory() override { return *this; }
+  void observe(const FrameRecord& /*frame*/, const SceneTruth& /*scene*/) override { ++frames; }
+  std::string answer(const std::string& payload, const std::function<bool()>& stop) override {
+    if (payload.find("slow") != std::string::npos) {
+      is_busy = true;
+      if (!await(stop)) return "{}";
+      ++stopped;
+      throw std::runtime_error("it was stopped\x1b");
+    }
+    return std::string(kServices[static_cast<std::size_t>(Service::what_if)].response);
+  }
+
+  int frames = 0;  // of the thread of the frames
+  std::atomic<bool> is_busy = false;
+  std::atomic<int> stopped = 0;
+};
+
 class ViewedRun : public ::testing::Test {
  protected:
   void start(LiveViewOptions options = {}) {
@@ -54,6 +76,7 @@ class ViewedRun : public ::testing::Test {
       if (words.back() == "unknown") throw std::runtime_error("unknown machine 'unknown'");
       return [words](const FrameRecord&, const SceneTruth&) { return words.front() + " answered"; };
     };
+    subject.what_if = what_if;
     live.emplace(options, subject);
     const std::string link = live->link();
     port = std::stoi(link.substr(link.rfind(':') + 1));
@@ -108,6 +131,7 @@ class ViewedRun : public ::testing::Test {
   TemporaryFolder folder;
   HandFedLoop loop{kIdle};
   SceneTruth scene;
+  std::shared_ptr<TestedWhatIf> what_if = std::make_shared<TestedWhatIf>();
   std::optional<LiveView> live;
   int port = 0;
   std::string token;
@@ -283,7 +307,8 @@ TEST_F(ViewedRun, AnswersEachServiceAsItsExampleShows) {
     viewer->call(id_of(row.service), ++call, request);
     // Those of scripts are answered without a frame.
     const bool is_at_once = row.service == Service::scripts || row.service == Service::script ||
-                            row.service == Service::check_script || row.service == Service::save_script;
+                            row.service == Service::check_script || row.service == Service::save_script ||
+                            row.service == Service::what_if;
     if (!is_at_once) sync(*viewer);
     step();
     const json response = viewer->await_response(call);
@@ -293,6 +318,67 @@ TEST_F(ViewedRun, AnswersEachServiceAsItsExampleShows) {
   }
   std::filesystem::current_path(before);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "tuned.toml"));
+}
+
+TEST_F(ViewedRun, KeepsFramesForWhatIfOnlyWhileAViewerIsConnected) {
+  start();
+  step(3);
+  EXPECT_EQ(what_if->frames, 0);
+  auto viewer = connect();
+  step(2);
+  EXPECT_EQ(what_if->frames, 2);
+}
+
+TEST_F(ViewedRun, AnswersTheNewestQuestionOfAViewerAndStopsTheOthers) {
+  start();
+  step();
+  const auto viewer = connect(), other = connect();
+  viewer->call(id_of(Service::what_if), 1, R"({"slow":1})");
+  ASSERT_TRUE(await([&] { return what_if->is_busy.load(); }));
+  other->call(id_of(Service::what_if), 1, "{}");
+  viewer->call(id_of(Service::parameter_list), 2, "{}");
+  sync(*viewer);
+  step();
+  EXPECT_TRUE(viewer->await_response(2).contains("parameters")) << "a question does not delay other messages";
+  EXPECT_EQ(what_if->stopped, 0);
+  viewer->call(id_of(Service::what_if), 3, R"({"slow":2})");
+  viewer->call(id_of(Service::what_if), 4, "{}");
+  std::map<std::uint32_t, std::string> failures;  // the one that waits may be answered before the one that is stopped
+  viewer->await([&](const Received& one) {
+    if (one.opcode == kTextFrame && one.json().value("op", "") == "serviceCallFailure")
+      failures[one.json().value("callId", 0u)] = one.json().value("message", "");
+    return failures.size() == 2;
+  });
+  EXPECT_EQ(failures[1].substr(0, 14), "it was stopped");
+  EXPECT_EQ(failures[1].find('\x1b'), std::string::npos);
+  EXPECT_NE(failures[3], "");
+  EXPECT_TRUE(viewer->await_response(4).contains("first_decision"));
+  EXPECT_TRUE(other->await_response(1).contains("first_decision"));
+}
+
+TEST_F(ViewedRun, StopsAQuestionIfItsViewerLeavesOrTheRunEnds) {
+  start();
+  step();
+  auto viewer = connect();
+  viewer->call(id_of(Service::what_if), 1, R"({"slow":1})");
+  ASSERT_TRUE(await([&] { return what_if->is_busy.load(); }));
+  viewer->close();
+  EXPECT_TRUE(await([&] { return what_if->stopped == 1; }));
+  what_if->is_busy = false;
+  viewer = connect();
+  viewer->call(id_of(Service::what_if), 2, R"({"slow":2})");
+  ASSERT_TRUE(await([&] { return what_if->is_busy.load(); }));
+  live.reset();
+  EXPECT_EQ(what_if->stopped, 2);
+}
+
+TEST_F(ViewedRun, SaysThatItKeepsNoFrames) {
+  what_if.reset();
+  start();
+  step();
+  const auto viewer = connect();
+  viewer->call(id_of(Service::what_if), 1, "{}");
+  EXPECT_NE(viewer->await_response(1).value("message", "").find("keeps no frames"), std::string::npos);
 }
 
 TEST_F(ViewedRun, DescribesParametersForAPage) {

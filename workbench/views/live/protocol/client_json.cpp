@@ -2,6 +2,7 @@
 #include "workbench/views/live/protocol/client_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -115,6 +116,13 @@ std::uint32_t ClientObject::number_of(const std::string& where, const nlohmann::
 }
 
 std::uint32_t ClientObject::number(const char* name) const { return number_of(name, member(name)); }
+
+std::optional<double> ClientObject::optional_real(const char* name) const {
+  const auto found = json_.find(name);
+  if (found == json_.end()) return std::nullopt;
+  if (!found->is_number() || !std::isfinite(found->get<double>())) refuse(name, "a number", *found);
+  return found->get<double>();
+}
 
 std::vector<std::uint32_t> ClientObject::numbers(const char* name) const {
   std::vector<std::uint32_t> all;

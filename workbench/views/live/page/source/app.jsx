@@ -13,11 +13,14 @@ import { thought } from "./sentence.js";
 import { settings } from "./settings.js";
 import { switchTheme } from "./theme.js";
 import { changed, useChanges } from "./ticker.js";
+import { onTrial } from "./trial.js";
 
 const STALE = 3000; // ms without a message after which the page says so
 const RECENT_DROPS = 10000; // ms
 const RETRY = 1000; // ms
 const LONG = 15000; // ms without a connection
+
+onTrial(() => openPanel("what_if"));
 
 function connectionText() {
   const now = Date.now();

@@ -140,15 +140,15 @@ export class Connection {
     return this.server?.capabilities?.includes(capability) ?? false;
   }
 
-  /// Calls a service that the robot advertises. The promise rejects with the robot's reason, or after 5 s.
-  call(name, value) {
+  /// Calls a service that the robot advertises. The promise rejects with the robot's reason, or after `timeout` ms.
+  call(name, value, timeout = SERVICE_TIMEOUT) {
     const service = this.services.get(name);
     if (service === undefined) return Promise.reject(new Error(`the robot has no service ${name}`));
     const call = this.nextId++;
     return new Promise((resolve, reject) => {
       const timer = setTimeout(
-        () => this.finishCall(call, null, new Error(`no answer to ${name} after 5 s`)),
-        SERVICE_TIMEOUT,
+        () => this.finishCall(call, null, new Error(`no answer to ${name} after ${timeout / 1000} s`)),
+        timeout,
       );
       this.calls.set(call, { resolve, reject, timer });
       this.socket.send(serviceRequest(service, call, value));

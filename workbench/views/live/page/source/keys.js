@@ -10,6 +10,7 @@ export const KEYS = [
   ["← →", "one frame back or forward; with Shift one second"],
   ["L", "back to live"],
   ["1 … 9, 0", "open a panel"],
+  ["W", "open what-if"],
   ["/", "search in parameters, world, log or scripts"],
   ["N", "write a note"],
   ["U", "undo the last change of a parameter"],
@@ -48,7 +49,8 @@ export function onKey(event, actions) {
   const isTyping = target.matches?.("input:not([type=range]):not([type=checkbox]), textarea, select");
   if (isTyping || (target.matches?.("input[type=range]") && event.key.startsWith("Arrow"))) return;
   if (event.key === " " && target.matches?.("button:not(#pause), summary, input")) return;
-  const panel = panels.find((it) => it.key === event.key);
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const panel = panels.find((it) => it.key === key);
   const handlers = {
     " ": () => store.show(store.isLive ? store.newest : null),
     l: () => store.show(null),
@@ -71,7 +73,7 @@ export function onKey(event, actions) {
   };
   const handler = panel
     ? () => openPanel(panel.id)
-    : handlers[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    : handlers[key];
   if (!handler) return;
   event.preventDefault();
   handler();

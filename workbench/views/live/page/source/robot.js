@@ -107,7 +107,7 @@ export const canSetParameters = () =>
 export const canCall = (service, changes = false) => link.services.has(service) && !(changes && link.refusal);
 /// Whether the robot is a recording with a time bar.
 export const isReplay = () => connection.has("playbackControl");
-export const call = (service, value) => connection.call(service, value);
+export const call = (service, value, timeout) => connection.call(service, value, timeout);
 
 /// Sends a value of a parameter. The answer contains the value that is in force.
 export function setParameter(name, value, undo = true) {

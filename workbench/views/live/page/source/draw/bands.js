@@ -4,9 +4,9 @@
 import { GUTTER, RIGHT } from "./plots.js";
 import { themeColor } from "./palette.js";
 
-const ROW = 17; // pixels
-const AXIS = 19;
-const FONT = "11px system-ui, sans-serif";
+export const ROW = 17; // pixels
+export const AXIS = 19;
+export const FONT = "11px system-ui, sans-serif";
 const HUES = [212, 160, 32, 276, 338, 96, 190, 250, 12, 60];
 const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300];
 const REORIENTATIONS = ["flip_pose", "purge_reflection", "reset_orientation"];
@@ -26,14 +26,14 @@ function clipped(context, text, width) {
   return length > 1 ? `${text.slice(0, length)}…` : "";
 }
 
-function drawLabel(context, text, middle) {
+export function drawLabel(context, text, middle) {
   context.fillStyle = themeColor("soft");
   context.textAlign = "left";
   context.fillText(clipped(context, text, GUTTER - 12), 8, middle);
 }
 
 /// `x(time)`: pixels. Entries of a band: {time, value}.
-function drawBand(context, band, row, range, x, isDark, isStatus) {
+export function drawBand(context, band, row, range, x, isDark, isStatus) {
   const [from, to] = range;
   const top = row * ROW + 1;
   const middle = top + (ROW - 2) / 2;
@@ -111,7 +111,7 @@ function drawMark(context, { kind }, u, v) {
   }
 }
 
-function drawAxis(context, top, range, x, width) {
+export function drawAxis(context, top, range, x, width) {
   const [from, to] = range;
   const most = Math.max(2, (width - GUTTER) / 80);
   const step = TICKS.find((tick) => (to - from) / tick <= most) ?? 600;

@@ -10,6 +10,7 @@ import parameters from "./parameters.jsx";
 import scripts from "./scripts.jsx";
 import timeline from "./timeline.jsx";
 import wall from "./wall.jsx";
+import whatIf from "./what_if.jsx";
 import world from "./world.jsx";
 
-export const panels = [field, wall, cameras, behaviors, parameters, world, log, notes, timeline, scripts];
+export const panels = [field, wall, cameras, behaviors, parameters, world, log, notes, timeline, scripts, whatIf];

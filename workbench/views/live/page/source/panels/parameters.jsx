@@ -6,6 +6,7 @@ import { entered } from "../format.js";
 import { canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
 import { SearchBox } from "../search_box.jsx";
 import { useChanges } from "../ticker.js";
+import { canTry, dropParameter, switchTrial, trial, tryParameter } from "../trial.js";
 
 const LONGEST_LIST = 120;
 const SEND_INTERVAL = 100; // ms, while a slider moves
@@ -24,8 +25,15 @@ function scaleOf({ min, max }) {
     : { position: (value) => (1000 * (value - min)) / (max - min), value: (at) => min + ((max - min) * at) / 1000 };
 }
 
-/// The value now, which is newer than the one that the list was drawn with.
-const present = ({ name }) => parameters.all.get(name)?.value;
+/// The value now, which is newer than the one that the list was drawn with; of a what-if the tried one.
+const present = ({ name }) =>
+  (trial.isOn ? trial.parameters.get(name) : undefined) ?? parameters.all.get(name)?.value;
+
+/// Sets the value on the robot, or only tries it.
+function send(name, value) {
+  if (trial.isOn) tryParameter(name, value);
+  else setParameter(name, value);
+}
 
 function Slider({ parameter, disabled }) {
   const last = useRef(0);
@@ -41,11 +49,11 @@ function Slider({ parameter, disabled }) {
     const now = performance.now();
     if (now - last.current < SEND_INTERVAL) return;
     last.current = now;
-    setParameter(parameter.name, valueAt(event));
+    send(parameter.name, valueAt(event));
   };
   const finish = (event) => {
     const value = valueAt(event);
-    if (value !== parameters.all.get(parameter.name).value) setParameter(parameter.name, value);
+    if (value !== present(parameter)) send(parameter.name, value);
     parameters.settle();
     setMoving(null);
   };
@@ -73,17 +81,17 @@ function Value({ parameter, disabled }) {
     draft.current = text;
     draw((count) => count + 1);
   };
-  const send = (next) => {
-    setParameter(name, next);
+  const sendOne = (next) => {
+    send(name, next);
     parameters.settle();
   };
   if (typeof value === "boolean") {
-    const change = (event) => send(event.currentTarget.checked);
+    const change = (event) => sendOne(event.currentTarget.checked);
     return <input type="checkbox" checked={value} disabled={disabled} aria-label={name} onChange={change} />;
   }
   if (parameter.choices) {
     return (
-      <select value={value} disabled={disabled} aria-label={name} onChange={(event) => send(event.currentTarget.value)}>
+      <select value={value} disabled={disabled} aria-label={name} onChange={(event) => sendOne(event.currentTarget.value)}>
         {parameter.choices.map((choice) => (
           <option key={choice}>{choice}</option>
         ))}
@@ -97,7 +105,7 @@ function Value({ parameter, disabled }) {
     edit(null);
     const number = Number(text.replace("−", "-"));
     if (isNumber && (text === "" || !Number.isFinite(number))) return; // the value stays
-    if (text !== entered(value)) send(isNumber ? number : text);
+    if (text !== entered(value)) sendOne(isNumber ? number : text);
   };
   const key = (event) => {
     if (event.key === "Enter") commit();
@@ -153,6 +161,16 @@ function Parameter({ parameter, disabled }) {
           </button>
         )}
       </div>
+      {trial.parameters.has(name) && (
+        <div class="facts">
+          <span class="badge">
+            what if {entered(trial.parameters.get(name))}; the robot has {entered(parameters.all.get(name)?.value ?? "–")}
+          </span>
+          <button class="link" onClick={() => dropParameter(name)}>
+            drop
+          </button>
+        </div>
+      )}
       {refusal && <div class="fault">{refusal}</div>}
     </li>
   );
@@ -203,6 +221,16 @@ function ParametersPanel() {
             {id === "all" ? "" : ` (${[...parameters.all.values()].filter(accept).length})`}
           </button>
         ))}
+        {canTry() && (
+          <button
+            class="chip"
+            aria-pressed={trial.isOn}
+            title="Try values on the last seconds, without sending them to the robot"
+            onClick={switchTrial}
+          >
+            What if
+          </button>
+        )}
         {disabled && (
           <span class="soft" title={link.refusal}>
             read-only

@@ -19,6 +19,7 @@ import {
   workplace,
 } from "../scripts/workplace.js";
 import { SearchBox } from "../search_box.jsx";
+import { canTry, tryScript } from "../trial.js";
 import { useChanges } from "../ticker.js";
 
 const LOOK = 2000; // ms between two looks at the disk
@@ -126,6 +127,16 @@ function OpenScript({ script }) {
           {script.file}
         </code>
         {script.isChanged && <span class="badge">not saved</span>}
+        {canTry() && (
+          <button
+            class="button"
+            disabled={!script.isChanged}
+            title="Replay the last seconds with this text, without saving it"
+            onClick={() => tryScript(script.file, script.text)}
+          >
+            What if
+          </button>
+        )}
         {canSave() && (
           <>
             <button class="button" disabled={!script.isChanged || script.isSaving} title="Save (Ctrl-S)" onClick={save}>

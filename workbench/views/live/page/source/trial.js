@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// A what-if: changes that the robot does not have, and what it would have done with them in the last seconds.
+import { call, canCall, parameters, setParameter, store } from "./robot.js";
+import { changedByUser } from "./ticker.js";
+
+const TIMEOUT = 120000; // ms; a slow computer may need long
+const REPLACED = "replaced by a newer question";
+
+/// isOn: sliders try values instead of setting them; seconds: length of the replayed time; answer: of the service
+/// what_if, or null; failure: why it is missing.
+export const trial = {
+  isOn: false,
+  seconds: 30,
+  parameters: new Map(), // name: tried value
+  scripts: new Map(), // file: tried text
+  answer: null,
+  failure: "",
+  isAsking: false,
+};
+
+let show = () => {};
+let asked = 0; // questions so far; only the answer to the last one counts
+
+/// Sets what shows the panel.
+export function onTrial(call) {
+  show = call;
+}
+
+export const canTry = () => canCall("what_if", true);
+export const isTrying = () => trial.parameters.size > 0 || trial.scripts.size > 0;
+
+/// The end of the replayed time: now, or half of it after the shown instant. Nothing: the last frame.
+const endOf = () => (store.isLive ? undefined : Math.min(store.newest, store.instant + trial.seconds / 2));
+
+async function ask() {
+  const question = ++asked;
+  const request = { seconds: trial.seconds };
+  const to = endOf();
+  if (to !== undefined) request.to = to;
+  if (trial.parameters.size) request.parameters = [...trial.parameters].map(([name, value]) => ({ name, value }));
+  if (trial.scripts.size) request.scripts = [...trial.scripts].map(([file, text]) => ({ file, text }));
+  trial.isAsking = true;
+  changedByUser();
+  let failure = "";
+  let answer = null;
+  try {
+    answer = await call("what_if", request, TIMEOUT);
+  } catch (error) {
+    failure = error.message;
+  }
+  if (question !== asked || failure.includes(REPLACED)) return;
+  Object.assign(trial, { isAsking: false, failure });
+  if (answer) trial.answer = answer;
+  changedByUser();
+}
+
+/// Asks for the present changes again.
+export function askAgain() {
+  if (isTrying()) ask();
+  else clear();
+}
+
+function clear() {
+  ++asked;
+  Object.assign(trial, { answer: null, failure: "", isAsking: false });
+  changedByUser();
+}
+
+export function setSeconds(seconds) {
+  trial.seconds = seconds;
+  askAgain();
+}
+
+/// Whether sliders try values instead of setting them.
+export function switchTrial() {
+  trial.isOn = !trial.isOn;
+  if (trial.isOn) show();
+  changedByUser();
+}
+
+export function tryParameter(name, value) {
+  trial.parameters.set(name, value);
+  ask();
+}
+
+export function tryScript(file, text) {
+  trial.scripts.set(file, text);
+  show();
+  ask();
+}
+
+export function dropParameter(name) {
+  if (trial.parameters.delete(name)) askAgain();
+}
+
+export function dropScript(file) {
+  if (trial.scripts.delete(file)) askAgain();
+}
+
+export function dropAll() {
+  trial.parameters.clear();
+  trial.scripts.clear();
+  clear();
+}
+
+/// Sets the tried parameters on the robot. Scripts are saved in the editor.
+export function applyParameters() {
+  for (const [name, value] of trial.parameters) {
+    setParameter(name, value);
+    parameters.settle();
+  }
+  trial.parameters.clear();
+  askAgain();
+}
