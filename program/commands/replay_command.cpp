@@ -29,7 +29,9 @@
 #include "program/subcommand.h"
 #include "workbench/files/script_files.h"
 #include "workbench/recording/comparison.h"
+#include "workbench/recording/recording.h"
 #include "workbench/recording/replay.h"
+#include "workbench/recording/what_if.h"
 #include "workbench/run/digest_observer.h"
 
 namespace reorient {
@@ -46,31 +48,27 @@ struct ReplayOptions {
 };
 
 /// The changes of scripts and parameters against the recording.
-FrameInputs other_than_recorded(const FrameLoop& engine, const ReplayOptions& options) {
-  FrameInputs inputs;
+WhatIfChanges other_than_recorded(const FrameLoop& engine, const ReplayOptions& options) {
+  WhatIfChanges changes;
   if (!options.scripts.empty())
-    inputs.script_edits = edits_between(engine.scripts(), read_scripts(scripts_root(options.scripts)));
-  inputs.parameter_changes = overrides_of(options.parameters);
+    changes.scripts = edits_between(engine.scripts(), read_scripts(scripts_root(options.scripts)));
+  changes.parameters = overrides_of(options.parameters);
   // They override every recorded value, whatever its origin.
-  for (ParameterChange& change : inputs.parameter_changes) change.origin = ParameterOrigin::live;
-  return inputs;
+  for (ParameterChange& change : changes.parameters) change.origin = ParameterOrigin::live;
+  return changes;
 }
 
 /// Checks the first frame, in which the changes are applied.
 class RequireTaken : public Observer {
  public:
-  /// Throws std::runtime_error with one line if a change is refused.
+  explicit RequireTaken(const WhatIfChanges& changes) : changes_(changes) {}
+
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
-    if (std::exchange(is_taken_, true)) return;
-    for (const ParameterOutcome& change : frame.parameter_changes) {
-      if (!change.refusal.empty()) throw std::runtime_error(change.refusal);
-    }
-    for (const ReloadRecord& reload : frame.reloads) {
-      if (!reload.accepted) throw std::runtime_error(reload.script + ": " + reload.fault.message);
-    }
+    if (!std::exchange(is_taken_, true)) require_taken(changes_, frame);
   }
 
  private:
+  const WhatIfChanges& changes_;
   bool is_taken_ = false;
 };
 
@@ -126,14 +124,9 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   double last_time = 0.0;
   const auto begin = std::chrono::steady_clock::now();
   while (const FrameLoop* const engine = again.next_stretch()) {
-    AddedInputs what_if;
-    RequireTaken taken;
-    std::vector<Observer*> observers{&digest, &comparison};
-    if (options.asks_what_if()) {
-      what_if.add(other_than_recorded(*engine, options));
-      observers.push_back(&taken);
-    }
-    again.run({&what_if}, observers, stop);
+    WhatIfSource changed(options.asks_what_if() ? other_than_recorded(*engine, options) : WhatIfChanges());
+    RequireTaken taken(changed.changes());
+    again.run({&changed}, {&digest, &comparison, &taken}, stop);
     last_time = engine->record().world.time;
     if (options.asks_what_if()) break;  // another stretch would begin with the recorded state, without the changes
   }

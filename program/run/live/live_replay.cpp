@@ -157,8 +157,8 @@ class LiveReplay {
     loop_.reset();
     engine_ = replay_->next_stretch();
     if (engine_ == nullptr) return false;
-    if (options_.changes) added_.add(options_.changes(*engine_));
-    loop_.emplace(replay_->parts({&added_, &*shown_}, {&*shown_}));
+    changed_.emplace(options_.changes ? options_.changes(*engine_) : WhatIfChanges());
+    loop_.emplace(replay_->parts({&*changed_, &*shown_}, {&*shown_}));
     time_ = replay_->playback().frame().entry.time - frame_seconds_;
     return true;
   }
@@ -231,7 +231,7 @@ class LiveReplay {
   CommandTable commands_;
   std::optional<LiveView> view_;
   std::optional<ShownFrames> shown_;
-  AddedInputs added_;
+  std::optional<WhatIfSource> changed_;
   std::optional<Replay> replay_;
   std::optional<RunLoop> loop_;
   FrameLoop* engine_ = nullptr;

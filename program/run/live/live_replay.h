@@ -7,9 +7,9 @@
 #include <iosfwd>
 
 #include "engine/frame.h"
-#include "engine/frame_inputs.h"
 #include "program/recording/recorded_times.h"
 #include "program/run/live/live_options.h"
+#include "workbench/recording/what_if.h"
 
 namespace reorient {
 
@@ -18,8 +18,8 @@ struct LiveReplayOptions {
   std::filesystem::path scripts;  ///< their root, for services
   RecordedTimes times;
   LiveOptions live;
-  /// What-if: inputs of the first frame after each seek.
-  std::function<FrameInputs(const FrameLoop& engine)> changes;
+  /// What-if, from the first frame after each seek on; may be empty.
+  std::function<WhatIfChanges(const FrameLoop& engine)> changes;
 };
 
 /// Replays until a signal ends it. An Interruption must exist. Returns the exit code. Throws std::runtime_error with
