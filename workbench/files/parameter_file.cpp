@@ -7,12 +7,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <toml++/toml.h>
 
 #include "engine/parameters/utf8.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/input_file.h"
 #include "workbench/files/table_reader.h"
 #include "workbench/files/toml_text.h"
 
@@ -155,9 +157,20 @@ std::string parameter_text(const std::vector<Parameter>& parameters, const std::
   return text;
 }
 
-void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
-                     const std::filesystem::path& file) {
-  write_whole_file(file, parameter_text(parameters, kept));
+std::filesystem::path save_parameters(const std::vector<Parameter>& parameters,
+                                      const std::vector<ParameterChange>& kept, const std::filesystem::path& file) {
+  const std::string text = parameter_text(parameters, kept);
+  std::filesystem::path backup;
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(file, failed)) {
+    const std::string before = read_named_input(file, "a parameter file");
+    if (!before.empty() && before != text) {
+      backup = file.string() + ".bak";
+      write_whole_file(backup, before);
+    }
+  }
+  write_whole_file(file, text);
+  return backup;
 }
 
 }  // namespace reorient

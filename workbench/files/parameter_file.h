@@ -22,8 +22,9 @@ std::vector<ParameterChange> parse_parameters(std::string_view text, const std::
 /// loaded.
 std::string parameter_text(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept);
 
-/// Writes that text with a temporary file that it renames. Throws std::runtime_error on failure.
-void save_parameters(const std::vector<Parameter>& parameters, const std::vector<ParameterChange>& kept,
-                     const std::filesystem::path& file);
+/// Writes that text with a temporary file that it renames. A file that would be replaced by another text is copied to
+/// FILE.bak first. Returns the path of the copy; empty: none was needed. Throws std::runtime_error on failure.
+std::filesystem::path save_parameters(const std::vector<Parameter>& parameters,
+                                      const std::vector<ParameterChange>& kept, const std::filesystem::path& file);
 
 }  // namespace reorient

@@ -161,6 +161,22 @@ TEST_F(ParameterFile, StoresValuesThatDifferFromTheDefaults) {
   EXPECT_THROW(save_parameters({noise}, {}, folder_.path() / "gone" / "saved.toml"), std::runtime_error);
 }
 
+TEST_F(ParameterFile, KeepsACopyOfTheFileThatItReplaces) {
+  Parameter noise;
+  noise.name = "view.noise";
+  noise.maximum = 1.0;
+  noise.value = 0.25;
+  noise.origin = ParameterOrigin::live;
+  const std::filesystem::path file = folder_.path() / "tuned.toml", backup = folder_.path() / "tuned.toml.bak";
+  EXPECT_EQ(save_parameters({noise}, {}, file), "");
+  EXPECT_EQ(save_parameters({noise}, {}, file), "") << "the same text";
+  EXPECT_FALSE(std::filesystem::exists(backup));
+  noise.value = 0.5;
+  EXPECT_EQ(save_parameters({noise}, {}, file), backup);
+  EXPECT_EQ(read_parameters(backup).front().value, "0.25");
+  EXPECT_EQ(read_parameters(file).front().value, "0.5");
+}
+
 /// Printable or not, ASCII or not, but UTF-8; without a dot, which parts a name.
 std::string any_text() {
   const std::vector<std::string> letters{"a",

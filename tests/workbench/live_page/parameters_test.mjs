@@ -70,6 +70,7 @@ test("differences are to the default and to the start of the run", () => {
   parameters.change(HOLD.name, 0.2, "set-1");
   assert.equal(parameters.differing("default").length, 0);
   assert.equal(parameters.differing("start").length, 1);
+  assert.equal(parameters.differing("file").length, 0, "no file is compared");
   parameters.begin("run 2");
   assert.equal(parameters.all.size, 0);
 });
@@ -131,4 +132,23 @@ test("the sentence names the mirrored pose, a flip, and the end of doubt", () =>
   assert.match(say(21.1, -9, { posture: "lifted" }).text, /lifted/);
   say(22, undefined, { status: "a status of a later version" });
   assert.equal(say(22.1, undefined, { status: "a status of a later version" }).tone, "doubt");
+});
+
+test("values are compared with those of a file, whose other values are the defaults", () => {
+  const parameters = new Parameters();
+  parameters.take([
+    { name: "a.number", value: 0.5, default: 1 },
+    { name: "a.switch", value: true, default: false },
+    { name: "a.choice", value: "one", default: "two" },
+    { name: "a.untouched", value: 3, default: 3 },
+  ]);
+  parameters.takeFile({ file: "tuned.toml", parameters: [
+    { name: "a.number", value: "0.5" },
+    { name: "a.switch", value: "true" },
+    { name: "other.thing", value: "7" },
+  ] });
+  assert.deepEqual(parameters.differing("file").map((it) => it.name), ["a.choice"]);
+  parameters.change("a.number", 0.25, "1");
+  assert.deepEqual(parameters.differing("file").map((it) => it.name), ["a.number", "a.choice"]);
+  assert.equal(parameters.inFile(parameters.all.get("a.number")), 0.5);
 });

@@ -18,7 +18,7 @@ const messages = []; // of the console
 
 before(async () => {
   run = spawn(program, ["--log", "off", "run", "patrol", "--live", "0", "--width", "160", "--seconds", "600",
-    "--no-pictures", "--scripts", scripts], { stdio: ["ignore", "ignore", "pipe"] });
+    "--no-pictures", "--scripts", scripts], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
   const link = await new Promise((resolve, reject) => {
     createInterface(run.stderr).on("line", (line) => {
       const found = line.match(/live view: (\S+)/);
@@ -51,6 +51,26 @@ test("a slider changes the parameter of the robot", async () => {
   await box.fill("99");
   await box.press("Enter");
   await page.getByText("The robot uses 10 instead of 99.").waitFor();
+});
+
+test("what differs from the defaults is saved, with a copy of the file before, and compared", async () => {
+  const panel = page.locator("[data-panel=parameters]");
+  const save = panel.getByRole("button", { name: "Save" });
+  await panel.getByText("Save or compare with a file").click();
+  await save.click();
+  await panel.getByText("Saved in tuned.toml.").waitFor();
+  const slider = page.locator('input[aria-label="orientation.hold_time as a slider"]');
+  await slider.focus();
+  await slider.press("Home");
+  await panel.getByRole("button", { name: "Compare" }).click();
+  await panel.getByText("in tuned.toml 10").waitFor();
+  await slider.focus();
+  await slider.press("PageUp");
+  await save.click();
+  await panel.getByText("The file before is tuned.toml.bak.").waitFor();
+  assert.match(readFileSync(join(folder, "tuned.toml.bak"), "utf8"), /hold_time = 10/);
+  await panel.getByRole("button", { name: "all" }).click();
+  await panel.getByText("Save or compare with a file").click();
 });
 
 test("a what-if on a slider shows both futures, and the robot keeps its value", async () => {

@@ -206,10 +206,10 @@ void LiveView::make_messages() {
     wake_.wait(lock, [this] { return ends_ || !answers_waiting_.empty() || !frames_waiting_.is_empty(); });
     if (ends_) return;
     if (!answers_waiting_.empty()) {
-      const FrameAnswer answer = std::move(answers_waiting_.front());
+      FrameAnswer answer = std::move(answers_waiting_.front());
       answers_waiting_.pop_front();
       lock.unlock();
-      send(answer);
+      send(std::move(answer));
       lock.lock();
       continue;
     }
@@ -232,10 +232,10 @@ void LiveView::publish(const FrameCopy& copy) {
   });
 }
 
-void LiveView::send(const FrameAnswer& answer) {
+void LiveView::send(FrameAnswer answer) {
   if (answer.parameters) viewers_.send_changes(*answer.parameters);
   if (answer.to.viewer == 0) return;
-  if (answer.to.service != 0) return send_service_answer(answer);
+  if (answer.to.service != 0) return send_service_answer(std::move(answer));
   std::vector<Parameter> chosen;
   for (const Parameter& parameter : *answer.parameters) {
     const std::vector<std::string>& names = answer.to.names;
@@ -252,13 +252,13 @@ void LiveView::send(const FrameAnswer& answer) {
   }
 }
 
-void LiveView::send_service_answer(const FrameAnswer& answer) {
+void LiveView::send_service_answer(FrameAnswer answer) {
   const live::AnswerAddress& to = answer.to;
   std::string failure = answer.failure;
   std::string json;
   if (failure.empty()) {
     try {
-      if (!to.file.empty()) save_parameters(*answer.parameters, answer.kept, to.file);
+      if (!to.file.empty()) answer.backup = save_parameters(*answer.parameters, answer.kept, to.file).string();
       json = live::service_answer(live::kServices[to.row], answer);
     } catch (const std::exception& error) {
       failure = as_line(error.what());

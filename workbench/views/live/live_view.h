@@ -75,8 +75,8 @@ class LiveView : public InputSource, public Observer {
   ViewerTopics due_topics(const FrameInputs& inputs);
   void make_messages();
   void publish(const live::FrameCopy& copy);
-  void send(const live::FrameAnswer& answer);
-  void send_service_answer(const live::FrameAnswer& answer);
+  void send(live::FrameAnswer answer);
+  void send_service_answer(live::FrameAnswer answer);
 
   const LiveViewOptions options_;
   const std::string token_;

@@ -70,6 +70,7 @@ struct FrameAnswer {
   std::vector<ParameterOutcome> outcomes{};
   std::vector<ReloadRecord> reloads{};
   std::string text{};     ///< of the prompt
+  std::string backup{};   ///< of the file that was replaced; empty: none
   std::string failure{};  ///< one line; empty: it succeeded
 };
 

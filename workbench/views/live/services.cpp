@@ -8,6 +8,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "robots/robot.h"
+#include "workbench/files/parameter_file.h"
 #include "workbench/views/live/protocol/client_json.h"
 
 namespace reorient::live {
@@ -83,16 +84,16 @@ std::string schema_text_of(std::string_view example) { return schema_of_example(
 
 /// A viewer may be on another computer, so it cannot choose the folder, nor replace another file than one of
 /// parameters.
-std::string saved_file(const ClientObject& request) {
+std::string saved_file(const ClientObject& request, const std::string& service) {
   std::string file = request.text("file");
   const bool is_plain =
       file.size() > 5 && file.size() <= 100 && file.ends_with(".toml") && file.front() != '.' &&
       file.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") == std::string::npos;
   if (!is_plain)
-    throw BadClientMessage(
-        "save: file: expected a name of letters and digits that ends in .toml, without a folder, "
-        "found '" +
-        as_line(file.substr(0, 100)) + "'");
+    throw BadClientMessage(service +
+                           ": file: expected a name of letters and digits that ends in .toml, without a folder, "
+                           "found '" +
+                           as_line(file.substr(0, 100)) + "'");
   return file;
 }
 
@@ -151,11 +152,19 @@ FrameTask read_service_request(const ServiceRow& row, const std::string& payload
       return pattern.empty() ? AskPrompt{{"world"}} : AskPrompt{{"world", pattern}};
     }
     case Service::save:
-      to.file = saved_file(request);
+      to.file = saved_file(request, "save");
       return ListParameters{};
     default:
       return ListParameters{};
   }
+}
+
+std::string file_parameters(const std::string& payload) {
+  const std::string file = saved_file(ClientObject("file_parameters", payload), "file_parameters");
+  ServiceJson all = ServiceJson::array();
+  for (const ParameterChange& change : read_parameters(file))
+    all.push_back({{"name", as_utf8(change.name)}, {"value", as_utf8(change.value)}});
+  return dumped({{"file", file}, {"parameters", std::move(all)}});
 }
 
 std::string service_answer(const ServiceRow& row, const FrameAnswer& answer) {
@@ -171,7 +180,7 @@ std::string service_answer(const ServiceRow& row, const FrameAnswer& answer) {
     case Service::note:
       return dumped({{"time", answer.time}});
     case Service::save:
-      return dumped({{"file", answer.to.file}});
+      return dumped({{"file", answer.to.file}, {"backup", answer.backup}});
     case Service::reload:
       return dumped(reloads_json(answer));
     default:

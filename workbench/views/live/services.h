@@ -28,9 +28,10 @@ enum class Service {
   states,
   why,
   world,
-  what_if
+  what_if,
+  file_parameters
 };
-inline constexpr std::size_t kServiceCount = 15;
+inline constexpr std::size_t kServiceCount = 16;
 
 struct ServiceRow {
   Service service;
@@ -53,8 +54,9 @@ inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
     {Service::diff, "diff", false, "parameters that differ from their defaults, as the prompt prints them", "{}",
      R"({"text":"orientation.lingering = 0.4"})"},
     {Service::save, "save", true,
-     "saves the parameters that differ from their defaults, in the folder in which the run was started",
-     R"({"file":"tuned.toml"})", R"({"file":"tuned.toml"})"},
+     "saves the parameters that differ from their defaults, in the folder in which the run was started; `backup`: the "
+     "copy of the file that was replaced, or empty",
+     R"({"file":"tuned.toml"})", R"({"file":"tuned.toml","backup":"tuned.toml.bak"})"},
     {Service::note, "note", true, "records a note at this time", R"({"text":"the referee moved it"})",
      R"({"time":12.5})"},
     {Service::scripts, "scripts", false, "the scripts and scripted tests below the folder of the scripts", "{}",
@@ -84,6 +86,9 @@ inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
      "same viewer replaces it",
      R"({"parameters":[{"name":"orientation.hold_time","value":2.0}],"scripts":[{"file":"behaviors/orientation.lua","text":"..."}],"seconds":30.0})",
      R"({"from":13.4,"to":43.4,"frames":900,"gap":false,"seconds":0.7,"first_decision":{"time":43.4,"text":"...","recorded":true,"tried":false},"guess_from":43.4,"first_action":{"time":43.4,"what":"reorientation","recorded":"flip_pose","tried":"nothing"},"time":[13.4],"recorded":{"evidence":[0.0],"current":[0.0],"opposite":[0.0],"status":["resting"]},"tried":{"evidence":[0.0],"current":[0.0],"opposite":[0.0],"status":["resting"]},"states":[{"time":13.4,"machine":"orientation","state":"watching/unconfirmed","recorded":true,"tried":true}],"events":[{"time":43.4,"text":"...","recorded":true,"tried":false}]})"},
+    {Service::file_parameters, "file_parameters", false,
+     "the parameters of a file that `save` wrote, with their values as text", R"({"file":"tuned.toml"})",
+     R"({"file":"tuned.toml","parameters":[{"name":"orientation.lingering","value":"0.4"}]})"},
 }};
 
 /// The ids of services begin at 1.
@@ -97,6 +102,10 @@ const ServiceRow* find_service(std::uint32_t id);
 /// The request as a task of the thread of the frames. `to.file` is set for `save`. Throws BadClientMessage with one
 /// line. Not for the services of script_services.h.
 FrameTask read_service_request(const ServiceRow& row, const std::string& payload, AnswerAddress& to);
+
+/// The response of `file_parameters`. It takes as long as the disk takes, so never call it in the thread of the frames.
+/// Throws std::runtime_error or BadClientMessage with one line.
+std::string file_parameters(const std::string& payload);
 
 /// The JSON of the response. The answer has no failure.
 std::string service_answer(const ServiceRow& row, const FrameAnswer& answer);

@@ -308,7 +308,7 @@ TEST_F(ViewedRun, AnswersEachServiceAsItsExampleShows) {
     // Those of scripts are answered without a frame.
     const bool is_at_once = row.service == Service::scripts || row.service == Service::script ||
                             row.service == Service::check_script || row.service == Service::save_script ||
-                            row.service == Service::what_if;
+                            row.service == Service::what_if || row.service == Service::file_parameters;
     if (!is_at_once) sync(*viewer);
     step();
     const json response = viewer->await_response(call);
@@ -483,9 +483,11 @@ TEST_F(ViewedRun, RefusesHostileCallsWithOneLine) {
               std::string::npos)
         << file;
   for (const char* file : {"", ".toml", "../x.toml", "/tmp/x.toml", "x.lua", "a/b.toml", ".x.toml", "x .toml"})
-    EXPECT_NE(failure(id_of(Service::save), std::string(R"({"file":")") + file + "\"}").find(".toml"),
-              std::string::npos)
-        << file;
+    for (const Service service : {Service::save, Service::file_parameters})
+      EXPECT_NE(failure(id_of(service), std::string(R"({"file":")") + file + "\"}").find(".toml"), std::string::npos)
+          << file;
+  EXPECT_NE(failure(id_of(Service::file_parameters), R"({"file":"no_such.toml"})").find("no_such.toml"),
+            std::string::npos);
   EXPECT_NE(failure(id_of(Service::reload), R"({"script":"no_such"})").find("unknown script"), std::string::npos);
   viewer->call(id_of(Service::why), ++call, R"({"machine":"unknown"})");
   sync(*viewer);

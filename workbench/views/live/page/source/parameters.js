@@ -13,6 +13,7 @@ export class Parameters {
     this.undos = []; // {name, value}: values before changes of this page
     this.pending = new Map(); // name: {id, value}: sent last, and not yet answered
     this.refusals = new Map(); // name: text
+    this.file = null; // {name, values: Map of texts}: with which the values are compared
     this.session = null;
   }
 
@@ -90,13 +91,32 @@ export class Parameters {
     return undo;
   }
 
-  /// Names whose value differs from `key`: "default", or "start" of the run.
+  /// Takes the answer of the service file_parameters.
+  takeFile({ file, parameters }) {
+    this.file = { name: file, values: new Map(parameters.map(({ name, value }) => [name, value])) };
+    this.onEdit();
+  }
+
+  /// The value in the compared file, of the type of the present one; without an entry the default.
+  inFile({ name, value, default: standard }) {
+    const text = this.file?.values.get(name);
+    if (text === undefined) return this.file ? standard : undefined;
+    if (typeof value === "number") return Number(text);
+    return typeof value === "boolean" ? text === "true" : text;
+  }
+
+  /// Names whose value differs from `key`: "default", "start" of the run, or "file".
   differing(key) {
     return [...this.all.values()].filter((it) => this.differs(it, key));
   }
 
   differs(parameter, key) {
-    const other = key === "default" ? parameter.default : this.start.get(parameter.name);
+    const other =
+      key === "default"
+        ? parameter.default
+        : key === "file"
+          ? this.inFile(parameter)
+          : this.start.get(parameter.name);
     return other !== undefined && !isSame(other, parameter.value);
   }
 }

@@ -3,7 +3,7 @@
 import { useRef, useState } from "preact/hooks";
 
 import { entered } from "../format.js";
-import { canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
+import { call, canCall, canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
 import { SearchBox } from "../search_box.jsx";
 import { useChanges } from "../ticker.js";
 import { canTry, dropParameter, switchTrial, trial, tryParameter } from "../trial.js";
@@ -147,6 +147,11 @@ function Parameter({ parameter, disabled }) {
           </span>
         )}
         {parameter.default !== undefined && <span>default {entered(parameter.default)}</span>}
+        {parameters.differs(parameter, "file") && (
+          <span>
+            in {parameters.file.name} {entered(parameters.inFile(parameter))}
+          </span>
+        )}
         {parameters.differs(parameter, "start") && <span>at the start {entered(parameters.start.get(name))}</span>}
         {origin && <span>from {origin}</span>}
         {isChanged && !disabled && (
@@ -181,6 +186,58 @@ const FILTERS = [
   ["default", "changed", (it) => parameters.differs(it, "default")],
   ["start", "since the start", (it) => parameters.differs(it, "start")],
 ];
+const FILE_FILTER = ["file", "unlike the file", (it) => parameters.differs(it, "file")];
+
+/// Saves what differs from the defaults, and compares with such a file.
+function ParameterFile({ disabled, onCompare }) {
+  const [file, setFile] = useState("tuned.toml");
+  const [outcome, setOutcome] = useState(null); // {text, isGood}
+  const attempt = async (service, report) => {
+    try {
+      setOutcome({ text: report(await call(service, { file })), isGood: true });
+    } catch (error) {
+      setOutcome({ text: error.message, isGood: false });
+    }
+  };
+  const save = () =>
+    attempt("save", ({ backup }) => `Saved in ${file}.${backup ? ` The file before is ${backup}.` : ""}`);
+  const compare = () =>
+    attempt("file_parameters", (answer) => {
+      parameters.takeFile(answer);
+      onCompare();
+      return `Compared with ${file}.`;
+    });
+  return (
+    <details class="parameter-file">
+      <summary>Save or compare with a file</summary>
+      <div class="row tight">
+        <input
+          type="text"
+          class="grow"
+          value={file}
+          aria-label="File of parameters"
+          onInput={(event) => setFile(event.currentTarget.value.trim())}
+        />
+        <button
+          class="button"
+          disabled={disabled || !canCall("save", true)}
+          title="Save the parameters that differ from their defaults"
+          onClick={save}
+        >
+          Save
+        </button>
+        <button class="button" disabled={!canCall("file_parameters")} onClick={compare}>
+          Compare
+        </button>
+      </div>
+      {outcome && (
+        <div class={outcome.isGood ? "row tight good" : "row tight fault"} role="status">
+          {outcome.text}
+        </div>
+      )}
+    </details>
+  );
+}
 
 function ParametersPanel() {
   useChanges(200);
@@ -188,7 +245,8 @@ function ParametersPanel() {
   const [filter, setFilter] = useState("all");
   const disabled = !canSetParameters();
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
-  const accepts = FILTERS.find(([id]) => id === filter)[2];
+  const filters = parameters.file ? [...FILTERS, FILE_FILTER] : FILTERS;
+  const accepts = (filters.find(([id]) => id === filter) ?? FILTERS[0])[2];
   const isNamed = (it) => words.every((word) => it.name.includes(word));
   const found = [...parameters.all.values()]
     .filter(
@@ -215,7 +273,7 @@ function ParametersPanel() {
         </button>
       </div>
       <div class="chips" role="group" aria-label="Which parameters">
-        {FILTERS.map(([id, name, accept]) => (
+        {filters.map(([id, name, accept]) => (
           <button key={id} class="chip" aria-pressed={filter === id} onClick={() => setFilter(id)}>
             {name}
             {id === "all" ? "" : ` (${[...parameters.all.values()].filter(accept).length})`}
@@ -237,6 +295,7 @@ function ParametersPanel() {
           </span>
         )}
       </div>
+      <ParameterFile disabled={disabled} onCompare={() => setFilter("file")} />
       <ul class="scroll parameters">
         {found.slice(0, LONGEST_LIST).map((parameter) => (
           <Parameter key={parameter.name} parameter={parameter} disabled={disabled} />
