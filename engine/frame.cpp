@@ -29,6 +29,7 @@ FrameLoop::FrameLoop(FrameSetup setup)
       carried_{.world = WorldTracker(setup.field, body_, setup.room_awareness)} {
   arbiter_.set_parameters(parameters_.arbiter);
   for (FieldPercept& percept : record_.percepts) percept.reserve();
+  for (FeatureFits& fits : record_.feature_fits) fits.reserve(record_.percepts[0]);
   covered_.reserve(record_.percepts[0].obstacles.capacity() + record_.percepts[0].goal_posts.capacity());
   if (setup.room_awareness) room_.emplace(parameters_.room, setup.seed);
   if (room_ && setup.model) {
@@ -192,6 +193,7 @@ Decision FrameLoop::act() {
   const Decision decision = decide(world(), record_.inputs.messages, behaviors_, arbiter_);
   record_.reorientation.reset();
   record_.pose_particles.before.clear();
+  if (room_ && record_.filled.has(Topic::room)) room_->tile_evidence(record_.room.evidence);
   if (!decision.arbitration.granted) return decision;
   if (record_.filled.has(Topic::pose_particles)) append_poses(record_.pose_particles.before);
   record_.reorientation =

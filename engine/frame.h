@@ -80,6 +80,7 @@ class FrameLoop {
   void describe_room();
   void append_poses(std::vector<Pose2>& poses) const;
   void complete_record(const Observation& observation, const Decision& decision);
+  void fill_feature_fits();
   void fill_room();
 
   const World& world() const { return carried_.world.world(); }

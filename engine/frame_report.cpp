@@ -32,6 +32,7 @@ void FrameLoop::complete_record(const Observation& observation, const Decision& 
     record_.pose_particles.particles.clear();
     append_poses(record_.pose_particles.particles);
   }
+  if (record_.filled.has(Topic::feature_fits)) fill_feature_fits();
   if (record_.filled.has(Topic::room)) fill_room();
   if (record_.filled.has(Topic::conditions)) behaviors_.host().read_conditions(record_.conditions);
   if (record_.filled.has(Topic::parameters) && listed_revision_ != registry_.revision()) {
@@ -39,6 +40,15 @@ void FrameLoop::complete_record(const Observation& observation, const Decision& 
     record_.parameters = registry_.list();
   }
   if (record_.filled.has(Topic::costs)) behaviors_.host().read_costs(record_.costs.machines);
+}
+
+void FrameLoop::fill_feature_fits() {
+  const Pose2& believed = record_.reorientation ? record_.reorientation->belief_before.pose : world().pose.pose;
+  for (std::size_t i = 0; i < record_.percepts.size(); ++i) {
+    FeatureFits& fits = record_.feature_fits[i];
+    fits.clear();
+    if (!carried_.external.in_use) localizer_.feature_fits(record_.percepts[i], believed, fits);
+  }
 }
 
 void FrameLoop::fill_room() {
@@ -52,7 +62,12 @@ void FrameLoop::fill_room() {
   record.model.assign(room_->model().tiles().begin(), room_->model().tiles().end());
   record.perceived.clear();
   record.perceived.reserve(record.model.size());
-  if (record_.inputs.room_camera) record.perceived.assign(room_->perceived().begin(), room_->perceived().end());
+  record.compared.clear();
+  record.compared.reserve(record.model.size());
+  if (record_.inputs.room_camera) {
+    record.perceived.assign(room_->perceived().begin(), room_->perceived().end());
+    record.compared.assign(room_->scores().places().begin(), room_->scores().places().end());
+  }
   const ViewFilter& filter = room_->view_filter();
   record.particles.assign(filter.particles().begin(), filter.particles().end());
   record.cells.clear();

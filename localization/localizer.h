@@ -71,6 +71,10 @@ class Localizer {
   void set_bias(const CameraBias& bias) { tracker_.set_bias(bias); }
   /// Appends the poses of all particles.
   void append_poses(std::vector<Pose2>& poses) const { filter_.append_poses(poses); }
+  /// How well the features of a percept of the last frame fit at a pose.
+  void feature_fits(const FieldPercept& percept, const Pose2& pose, FeatureFits& fits) {
+    filter_.feature_fits(percept, pose, fits);
+  }
 
   /// Everything that future results depend on, except parameters and field. Throws BadBytes.
   template <typename Archive>

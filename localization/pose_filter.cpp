@@ -104,6 +104,11 @@ void PoseFilter::update(const FieldPercept& upper, const FieldPercept& lower, Se
   update(merged_, seen_goal, view, bias_deviation);
 }
 
+void PoseFilter::feature_fits(const FieldPercept& percept, const Pose2& pose, FeatureFits& fits) {
+  one_.set_pose(0, pose);
+  measurement_.fits(percept, one_, fits);
+}
+
 void PoseFilter::see_nothing(double time_step) {
   if (time_step > 0.0) recovery_.see_nothing(std::min(time_step, kLongestStep), parameters_.injection.blind_time);
 }

@@ -88,6 +88,8 @@ class PoseFilter {
 
   /// Appends the poses of all particles, for drawing.
   void append_poses(std::vector<Pose2>& poses) const;
+  /// How well the features of a percept of the last frame fit at a pose, for drawing.
+  void feature_fits(const FieldPercept& percept, const Pose2& pose, FeatureFits& fits);
 
   /// Everything that future results depend on, except parameters and field. Throws BadBytes.
   template <typename Archive>
@@ -118,6 +120,7 @@ class PoseFilter {
   ParticleSet scratch_;
   std::vector<float> costs_;
   FieldPercept merged_;    ///< the percepts of both cameras
+  ParticleSet one_{1};     ///< memory of feature_fits()
   double elapsed_ = 1.0;   ///< s, predicted since the last update
   bool searching_ = true;  ///< started globally, and not found yet
   PoseBelief belief_;

@@ -21,6 +21,7 @@
 #include "engine/world/world.h"
 #include "geometry/bytes.h"
 #include "geometry/transform.h"
+#include "localization/measurement/measurement_model.h"
 #include "perception/field/percepts.h"
 #include "perception/room/room_awareness.h"
 #include "robots/robot.h"
@@ -91,6 +92,10 @@ struct RoomRecord {
   Light light;
   std::vector<TileModel> model;
   std::vector<PerceivedTile> perceived;
+  std::vector<ComparedPlace> compared;  ///< of `perceived`: distances to the model; empty if the view was not evaluated
+  /// Contribution of each tile of the wall to World::confidence.evidence, in log-odds: positive for the mirrored pose,
+  /// see RoomAwareness::tile_evidence(). Before the frame's reorientation, if any, as `perceived` and `compared` are.
+  std::vector<double> evidence;
   std::vector<ViewParticle> particles;  ///< of the view filter; empty if it is a grid
   std::vector<ViewCell> cells;          ///< of the grid; empty if the filter uses particles
   std::vector<ViewCluster> clusters;
@@ -98,7 +103,7 @@ struct RoomRecord {
 template <typename Visit, ConstOr<RoomRecord> T>
 void fields(Visit&& visit, T& room) {
   visit(room.basis, room.half_width, room.goal_half_width, room.center_of_view, room.light, room.model, room.perceived,
-        room.particles, room.cells, room.clusters);
+        room.compared, room.evidence, room.particles, room.cells, room.clusters);
 }
 
 /// Topic::images: views of the robot's pixels, valid as long as its frame; or of this record's own copy.
@@ -128,6 +133,10 @@ template <typename Visit, ConstOr<CostsRecord> T>
 void fields(Visit&& visit, T& costs) {
   visit(costs.seconds, costs.machines);
 }
+
+/// Topic::feature_fits, of the percepts of the upper and of the lower camera at the believed pose, before the frame's
+/// reorientation. Empty with an external localization.
+using FeatureFitsRecord = std::array<FeatureFits, 2>;
 
 struct PostureChange {
   Posture from = Posture::upright;
@@ -169,6 +178,7 @@ struct FrameRecord {
   std::vector<OpenCondition> conditions;
   std::vector<Parameter> parameters;
   CostsRecord costs;
+  FeatureFitsRecord feature_fits;
 
   const std::string& name(NameId id) const { return (*names)[id]; }
 

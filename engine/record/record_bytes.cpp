@@ -6,7 +6,9 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kRecordMagic = 0x42465252;  // "RRFB": change it with the content of a topic
+/// "RRFB". Change it, and the format of recordings, with the content of a topic that is always filled. Recordings
+/// contain no other topics.
+constexpr std::uint32_t kRecordMagic = 0x42465252;
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
@@ -38,6 +40,8 @@ void visit_topic(Archive& archive, Topic topic, auto& record) {
       return archive(record.parameters);
     case Topic::costs:
       return archive(record.costs);
+    case Topic::feature_fits:
+      return archive(record.feature_fits);
   }
 }
 

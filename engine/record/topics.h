@@ -23,9 +23,10 @@ enum class Topic {
   room,
   conditions,
   parameters,
-  costs
+  costs,
+  feature_fits
 };
-inline constexpr int kTopicCount = 13;
+inline constexpr int kTopicCount = 14;
 constexpr int enum_count(Topic) { return kTopicCount; }
 
 struct TopicInfo {
@@ -46,10 +47,13 @@ inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
     {Topic::events, "events", "changes of posture, log lines, faults of scripts, reloads, changed parameters"},
     {Topic::images, "images", "the cameras' pixels", false},
     {Topic::pose_particles, "pose_particles", "the pose filter's particles, before a reorientation as well", false},
-    {Topic::room, "room", "wall, background model, perceived tiles, the view filter's belief", false},
+    {Topic::room, "room", "wall, background model, perceived tiles, evidence of each tile, the view filter's belief",
+     false},
     {Topic::conditions, "conditions", "possible transitions: results of their conditions, and for how long", false},
     {Topic::parameters, "parameters", "every parameter with its value, range and origin", false},
     {Topic::costs, "costs", "computing time of each stage, and cost of each script", false, false},
+    {Topic::feature_fits, "feature_fits", "how well each feature of the percepts fits the field at the believed pose",
+     false},
 }};
 
 constexpr const TopicInfo& info(Topic topic) { return kTopics[static_cast<std::size_t>(topic)]; }

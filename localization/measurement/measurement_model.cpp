@@ -43,38 +43,44 @@ double MeasurementModel::variance_across(double distance) const {
   return square(parameters_.position_deviation) + square(parameters_.bearing_deviation * distance);
 }
 
-void MeasurementModel::add(const LinePoint& point) {
+bool MeasurementModel::is_usable(const LinePoint& point) const {
+  return std::isfinite(point.normal) && in_range(point.position, parameters_.farthest_line_point);
+}
+
+bool MeasurementModel::is_usable(const GoalPost& post) const {
+  return in_range(post.position, parameters_.farthest_goal_post);
+}
+
+MeasurementModel::ObservedLinePoint MeasurementModel::observed(const LinePoint& point) const {
   const double distance = point.position.norm();
   const Eigen::Vector2d sight = point.position / distance;
   const double along = sight.dot(unit_vector(point.normal));
   // Only the error across the line is observable.
   const double variance = square(along) * variance_along(distance) + (1.0 - square(along)) * variance_across(distance);
-  line_points_.push_back({static_cast<float>(point.position.x()), static_cast<float>(point.position.y()),
-                          to_binary_angle(point.normal),
-                          static_cast<float>(square(FieldMap::kStep) / (2.0 * variance))});
+  return {static_cast<float>(point.position.x()), static_cast<float>(point.position.y()), to_binary_angle(point.normal),
+          static_cast<float>(square(FieldMap::kStep) / (2.0 * variance))};
 }
 
-void MeasurementModel::add(const GoalPost& post) {
+MeasurementModel::ObservedGoalPost MeasurementModel::observed(const GoalPost& post) const {
   const double distance = post.position.norm();
   const Eigen::Vector2d sight = post.position / distance;
   const double along =
       post.base_visible ? variance_along(distance) : square(parameters_.rough_distance_deviation * distance);
-  goal_posts_.push_back({static_cast<float>(post.position.x()), static_cast<float>(post.position.y()),
-                         static_cast<float>(sight.x()), static_cast<float>(sight.y()), static_cast<float>(0.5 / along),
-                         static_cast<float>(0.5 / variance_across(distance))});
+  return {static_cast<float>(post.position.x()), static_cast<float>(post.position.y()),
+          static_cast<float>(sight.x()),         static_cast<float>(sight.y()),
+          static_cast<float>(0.5 / along),       static_cast<float>(0.5 / variance_across(distance))};
 }
 
 void MeasurementModel::observe(const FieldPercept& percept, double bias_deviation) {
   tilt_variance_ = square(parameters_.tilt_deviation) + square(bias_deviation);
   line_points_.clear();
   goal_posts_.clear();
-  const auto usable = [&](const LinePoint& point) {
-    return std::isfinite(point.normal) && in_range(point.position, parameters_.farthest_line_point);
-  };
-  for_some(percept.line_points, static_cast<std::size_t>(std::max(1, parameters_.line_points)), usable,
-           [this](const LinePoint& point) { add(point); });
+  for_some(
+      percept.line_points, static_cast<std::size_t>(std::max(1, parameters_.line_points)),
+      [this](const LinePoint& point) { return is_usable(point); },
+      [this](const LinePoint& point) { line_points_.push_back(observed(point)); });
   for (const GoalPost& post : percept.goal_posts) {
-    if (goal_posts_.size() < kMostGoalPosts && in_range(post.position, parameters_.farthest_goal_post)) add(post);
+    if (goal_posts_.size() < kMostGoalPosts && is_usable(post)) goal_posts_.push_back(observed(post));
   }
 }
 
@@ -93,8 +99,23 @@ void MeasurementModel::costs(const ParticleSet& particles, std::vector<float>& c
   for (const ObservedGoalPost& post : goal_posts_) add_costs(post, particles, costs);
 }
 
+void MeasurementModel::fits(const FieldPercept& percept, const ParticleSet& pose, FeatureFits& fits) const {
+  std::array<float, 1> cost;
+  const auto fit = [&](const auto& feature, double limit) {
+    if (!is_usable(feature)) return FeatureFits::kIgnored;
+    cost.fill(0.0f);
+    add_costs(observed(feature), pose, cost);
+    return cost[0] / static_cast<float>(limit);
+  };
+  fits.clear();
+  for (const LinePoint& point : percept.line_points)
+    fits.line_points.push_back(fit(point, parameters_.line_point_cost_limit));
+  for (const GoalPost& post : percept.goal_posts)
+    fits.goal_posts.push_back(fit(post, parameters_.goal_post_cost_limit));
+}
+
 void MeasurementModel::add_costs(const ObservedLinePoint& point, const ParticleSet& particles,
-                                 std::vector<float>& costs) const {
+                                 std::span<float> costs) const {
   const auto limit = static_cast<float>(parameters_.line_point_cost_limit);
   // In blocks: first the arithmetic, which the compiler vectorizes, then the look-ups, which it cannot.
   std::array<std::int32_t, 64> indices;
@@ -118,7 +139,7 @@ void MeasurementModel::add_costs(const ObservedLinePoint& point, const ParticleS
 }
 
 void MeasurementModel::add_costs(const ObservedGoalPost& post, const ParticleSet& particles,
-                                 std::vector<float>& costs) const {
+                                 std::span<float> costs) const {
   const auto limit = static_cast<float>(parameters_.goal_post_cost_limit);
   const auto goal_x = static_cast<float>(posts_[0].x());
   const auto post_y = static_cast<float>(posts_[0].y());

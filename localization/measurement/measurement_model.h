@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "geometry/field_dimensions.h"
 #include "localization/measurement/field_map.h"
 #include "localization/particles/particle_set.h"
@@ -56,6 +58,29 @@ void describe(MeasurementModelParameters& p, Visit&& visit) {
         "largest log-likelihood that a goal post can cost a pose");
 }
 
+/// How well each feature of a percept fits the field at one pose. 0: exactly, 1: it costs the pose as much as the
+/// measurement model permits, so it is rejected; kIgnored: the feature is too near, too far or not finite.
+struct FeatureFits {
+  static constexpr float kIgnored = -1.0f;
+
+  std::vector<float> line_points;  ///< as FieldPercept::line_points
+  std::vector<float> goal_posts;   ///< as FieldPercept::goal_posts
+
+  void clear() {
+    line_points.clear();
+    goal_posts.clear();
+  }
+  /// Reserves memory for as many features as `percept` has memory for.
+  void reserve(const FieldPercept& percept) {
+    line_points.reserve(percept.line_points.capacity());
+    goal_posts.reserve(percept.goal_posts.capacity());
+  }
+};
+template <typename Visit, ConstOr<FeatureFits> T>
+void fields(Visit&& visit, T& fits) {
+  visit(fits.line_points, fits.goal_posts);
+}
+
 /// The observations of one frame, prepared so that the cost of a pose is fast to compute. Ignores those that are not
 /// finite, too near or too far.
 class MeasurementModel {
@@ -82,6 +107,10 @@ class MeasurementModel {
   /// Resizes `costs` to the number of particles. Exactly equal for a particle and its reflection.
   void costs(const ParticleSet& particles, std::vector<float>& costs) const;
 
+  /// The cost of each feature of `percept` for one pose, as a fraction of its limit, with the variances of the present
+  /// observations. `pose`: a set of one particle. Uses all line points, while costs() uses some of them.
+  void fits(const FieldPercept& percept, const ParticleSet& pose, FeatureFits& fits) const;
+
  private:
   struct ObservedLinePoint {
     float x = 0.0f;  ///< m, robot frame
@@ -98,10 +127,12 @@ class MeasurementModel {
     float precision_across = 0.0f;  ///< the same across it, 1/m^2
   };
 
-  void add(const LinePoint& point);
-  void add(const GoalPost& post);
-  void add_costs(const ObservedLinePoint& point, const ParticleSet& particles, std::vector<float>& costs) const;
-  void add_costs(const ObservedGoalPost& post, const ParticleSet& particles, std::vector<float>& costs) const;
+  ObservedLinePoint observed(const LinePoint& point) const;
+  ObservedGoalPost observed(const GoalPost& post) const;
+  bool is_usable(const LinePoint& point) const;
+  bool is_usable(const GoalPost& post) const;
+  void add_costs(const ObservedLinePoint& point, const ParticleSet& particles, std::span<float> costs) const;
+  void add_costs(const ObservedGoalPost& post, const ParticleSet& particles, std::span<float> costs) const;
 
   MeasurementModelParameters parameters_;
   double tilt_variance_ = 0.0;  ///< rad^2, of the present observations

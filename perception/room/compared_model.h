@@ -25,6 +25,8 @@ class ComparedModel {
   void prepare(const BackgroundModel& model, const Wall& wall, const Comparison& comparison);
   /// Makes the next prepare() copy all tiles, after the model was replaced and not trained.
   void clear() { tiles_.clear(); }
+  /// Whether prepare() was not called since the last clear().
+  bool is_empty() const { return tiles_.empty(); }
 
   bool trusted(int tile) const { return tiles_[static_cast<std::size_t>(tile)].trusted; }
   const ComparedHistogram& operator[](int tile) const { return tiles_[static_cast<std::size_t>(tile)].histogram; }

@@ -41,6 +41,7 @@ const Confidences& RoomAwareness::update(const RoomObservation& view) {
   if (view.train) train(step);
   compared_model_.prepare(model_, wall_, comparison_of(parameters_));
   separability_.observe(compared_model_, wall_);
+  scores_.clear();
   if (view.evaluate) evaluate(view, step);
   confidences_.coverage = compared_model_.coverage();
   confidences_.paired = compared_model_.paired();
@@ -148,6 +149,18 @@ void RoomAwareness::reflect_evidence() {
 
 void RoomAwareness::take_evidence() {
   confidences_.evidence = evidence_weight(parameters_, separability_) * evidence_.log_odds();
+}
+
+void RoomAwareness::tile_evidence(std::vector<double>& log_odds) const {
+  if (compared_model_.is_empty()) {  // after the axes were rotated or a state was read, until the next view
+    ComparedModel compared;
+    compared.prepare(model_, wall_, comparison_of(parameters_));
+    evidence_.contributions(compared, parameters_.evidence, log_odds);
+  } else {
+    evidence_.contributions(compared_model_, parameters_.evidence, log_odds);
+  }
+  const double weight = evidence_weight(parameters_, separability_);
+  for (double& value : log_odds) value *= weight;
 }
 
 void RoomAwareness::restart_evidence() {

@@ -111,7 +111,13 @@ class RoomAwareness {
   ModelBasis basis() const;
   std::span<const PerceivedTile> perceived() const { return perceived_.tiles(); }
   const ViewFilter& view_filter() const { return filter_; }
+  /// Of the last frame; empty if its view was not evaluated.
   const ViewpointScores& scores() const { return scores_; }
+  /// Contribution of each tile of the wall to Confidences::evidence, in log-odds: positive for the mirrored pose,
+  /// negative for the believed pose, 0 for a tile that was not in view recently. After a frame whose view was
+  /// evaluated, the sum is Confidences::evidence. After another frame it may differ slightly, since the model may have
+  /// been trained.
+  void tile_evidence(std::vector<double>& log_odds) const;
   const Light& light() const { return light_.light(); }
   /// Azimuth of the wall at which the camera pointed in the last frame according to the belief, rad. Empty if it
   /// pointed nowhere.

@@ -420,11 +420,13 @@ TEST(Frame, FillsExpensiveTopicsOnlyOnRequest) {
   EXPECT_TRUE(record.images.upper.empty());
   EXPECT_TRUE(record.conditions.empty());
   EXPECT_TRUE(record.parameters.empty());
+  EXPECT_TRUE(record.room.evidence.empty());
   loop.wanted = Topics::all();
   loop.step();
   EXPECT_EQ(record.filled, Topics::all());
   EXPECT_FALSE(record.pose_particles.particles.empty());
   EXPECT_FALSE(record.room.model.empty());
+  EXPECT_EQ(record.room.evidence.size(), record.room.model.size());
   EXPECT_EQ(record.images.upper.data, loop.image.view().data);
   ASSERT_EQ(record.conditions.size(), 1u);
   EXPECT_EQ(record.name(record.conditions[0].target), "acting");

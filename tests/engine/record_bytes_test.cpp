@@ -52,6 +52,9 @@ TEST(RecordBytes, AreReadBackAsTheSameRecord) {
     EXPECT_EQ(read.images.upper.width, record.images.upper.width);
     EXPECT_EQ(read.images.upper.at(33, 44), record.images.upper.at(33, 44));
     EXPECT_EQ(read.room.model.size(), record.room.model.size());
+    EXPECT_EQ(read.room.evidence, record.room.evidence);
+    EXPECT_EQ(read.room.evidence.size(), read.room.model.size());
+    EXPECT_EQ(read.feature_fits[0].line_points.size(), read.percepts[0].line_points.size());
     any_reorientation |= read.reorientation.has_value();
     any_fault |= !read.faults.empty();
     any_log |= !read.logs.empty();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "localization/measurement/measurement_model.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -67,6 +70,51 @@ TEST(MeasurementModel, PrefersTheTruePoseToPosesBesideIt) {
   const std::vector<float> costs = costs_of(
       model, {truth, truth * Pose2(0.5, 0.0, 0.0), truth * Pose2(0.0, 0.5, 0.0), truth * Pose2(0.0, 0.0, 0.3)});
   for (std::size_t i = 1; i < costs.size(); ++i) EXPECT_GT(costs[i], costs[0] + 1.0f) << i;
+}
+
+FeatureFits fits_at(const MeasurementModel& model, const FieldPercept& percept, const Pose2& pose) {
+  ParticleSet one(1);
+  one.set_pose(0, pose);
+  FeatureFits fits;
+  model.fits(percept, one, fits);
+  return fits;
+}
+
+RC_GTEST_PROP(MeasurementModel, GivesFitsOfTheFeaturesWhoseSumIsTheCostOfThePose, ()) {
+  MeasurementModelParameters p;
+  p.line_points = 200;  // all
+  p.independent_points = 200.0;
+  static MeasurementModel model{FieldDimensions(), p};
+  FieldPercept percept = any_percept();
+  percept.line_points.resize(std::min<std::size_t>(percept.line_points.size(), 200));
+  percept.goal_posts.resize(std::min<std::size_t>(percept.goal_posts.size(), 4));
+  const Pose2 pose = any_pose_on_carpet();
+  model.observe(percept);
+  const FeatureFits fits = fits_at(model, percept, pose);
+  RC_ASSERT(fits.line_points.size() == percept.line_points.size());
+  RC_ASSERT(fits.goal_posts.size() == percept.goal_posts.size());
+  double cost = 0.0;
+  for (const float fit : fits.line_points) cost += std::max(fit, 0.0f) * p.line_point_cost_limit;
+  for (const float fit : fits.goal_posts) cost += std::max(fit, 0.0f) * p.goal_post_cost_limit;
+  RC_ASSERT(std::abs(cost - costs_of(model, {pose})[0]) < 1e-3 * (1.0 + cost));
+}
+
+TEST(MeasurementModel, RejectsFeaturesThatAreNotOnTheFieldAndIgnoresThoseOutOfRange) {
+  MeasurementModel model{FieldDimensions(), MeasurementModelParameters()};
+  FieldPercept percept;
+  const auto add = [&](double x, double y) { percept.line_points.emplace_back().position = {x, y}; };
+  add(1.0, 0.0);    // on the halfway line
+  add(2.0, 0.0);    // beside it
+  add(0.01, 0.0);   // on the robot
+  add(100.0, 0.0);  // too far
+  add(std::nan(""), 0.0);
+  percept.goal_posts = {goal_post({2.0, 0.0}), goal_post({std::nan(""), 0.0})};
+  const FeatureFits fits = fits_at(model, percept, {-1.0, 2.0, 0.0});
+  EXPECT_LT(fits.line_points[0], 0.2f);
+  EXPECT_EQ(fits.line_points[1], 1.0f);
+  for (const std::size_t unused : {2u, 3u, 4u}) EXPECT_EQ(fits.line_points[unused], FeatureFits::kIgnored) << unused;
+  EXPECT_EQ(fits.goal_posts[0], 1.0f);
+  EXPECT_EQ(fits.goal_posts[1], FeatureFits::kIgnored);
 }
 
 TEST(MeasurementModel, MatchesAGoalPostWithAnyOfTheFour) {

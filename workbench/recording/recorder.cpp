@@ -47,6 +47,7 @@ struct Recorder::Item {
   std::array<bool, 2> is_viewed{};
   std::array<Image, 2> images;   // valid if entry.image_is_exact or is_viewed
   std::vector<std::byte> extra;  // write_record() of kViewedTopics
+  bool has_wall = false;         // the wall is shown, which is larger than the rest of the room
 
   bool has_pixels(std::size_t camera) const { return entry.image_is_exact[camera] || is_viewed[camera]; }
   std::size_t bytes() const {
@@ -165,9 +166,10 @@ void Recorder::before(const FrameInputs& inputs, const FrameLoop& engine) {
 void Recorder::choose_views(const Item& item) {
   const auto is_due = [this](std::uint64_t every) { return every > 0 && frames_ % every == 0; };
   const bool begins = !item.state.empty();
-  wanted_ = {Topic::costs};
+  wanted_ = {Topic::costs, Topic::feature_fits};
   if (is_due(static_cast<std::uint64_t>(options_.particles_every))) wanted_ = wanted_ | Topics{Topic::pose_particles};
   if (begins || is_due(kRoomEvery)) wanted_ = wanted_ | Topics{Topic::room};
+  item_->has_wall = begins || is_due(kWallEvery);
   if (begins || is_due(kParametersEvery)) wanted_ = wanted_ | Topics{Topic::parameters};
   ++frames_;
 }
@@ -263,6 +265,7 @@ void Recorder::write_items(Shared& shared) {
     digest_topics(item.entry.record, item.places, item.entry.digests);
     const FrameRecord frame = read_record(item.entry.record), extra = read_record(item.extra);
     ViewedFrame viewed{frame, extra, item.entry.scene, {}, !item.state.empty()};
+    viewed.topics.set(static_cast<std::size_t>(ViewerTopic::wall), item.has_wall);
     for (std::size_t camera = 0; camera < item.images.size(); ++camera)
       if (item.is_viewed[camera]) viewed.images[camera] = item.images[camera].view();
     shared.views.clear();

@@ -53,11 +53,23 @@ void Evidence::observe(std::span<const ComparedPlace> places, const ComparedMode
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
-    if (tiles_[i].time <= 0.0) continue;
-    sum += weight_of(static_cast<int>(i), model, parameters) * tiles_[i].score * tiles_[i].time /
-           (tiles_[i].time + parameters.look);
+    if (tiles_[i].time > 0.0) sum += score_of(i, model, parameters);
   }
   log_odds_ = parameters.gain * sum;
+}
+
+/// The contribution of a tile that was in view, divided by the gain.
+double Evidence::score_of(std::size_t tile, const ComparedModel& model, const EvidenceParameters& parameters) const {
+  const SeenTile& seen = tiles_[tile];
+  return weight_of(static_cast<int>(tile), model, parameters) * seen.score * seen.time / (seen.time + parameters.look);
+}
+
+void Evidence::contributions(const ComparedModel& model, const EvidenceParameters& parameters,
+                             std::vector<double>& log_odds) const {
+  log_odds.assign(tiles_.size(), 0.0);
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    if (tiles_[i].time > 0.0) log_odds[i] = parameters.gain * score_of(i, model, parameters);
+  }
 }
 
 void Evidence::reflect(const Wall& wall) {

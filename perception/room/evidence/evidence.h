@@ -78,6 +78,10 @@ class Evidence {
 
   /// 0: no evidence; log(99): 99 in 100 for the reflection.
   double log_odds() const { return log_odds_; }
+  /// The contribution of each tile, as of `model`; 0 for a tile that was not in view. With the arguments of the last
+  /// observe(), the sum is log_odds().
+  void contributions(const ComparedModel& model, const EvidenceParameters& parameters,
+                     std::vector<double>& log_odds) const;
 
   /// Throws BadBytes.
   template <typename Archive>
@@ -98,6 +102,7 @@ class Evidence {
   }
 
   void check(std::size_t tiles) const;
+  double score_of(std::size_t tile, const ComparedModel& model, const EvidenceParameters& parameters) const;
 
   std::vector<SeenTile> tiles_;
   double log_odds_ = 0.0;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/const_or.h"
 #include "perception/room/compared_model.h"
 #include "perception/room/wall/perceived_tiles.h"
 #include "perception/room/wall/wall.h"
@@ -26,6 +27,10 @@ struct ComparedPlace {
   bool believed_known = false;   ///< the model's tile is trusted; otherwise the distance is 0
   bool reflected_known = false;  ///< the same for the reflected tile
 };
+template <typename Visit, ConstOr<ComparedPlace> T>
+void fields(Visit&& visit, T& place) {
+  visit(place.tile, place.as_believed, place.as_reflected, place.believed_known, place.reflected_known);
+}
 
 /// One score for each integer number of columns by which the believed direction may be wrong. It uses the light of the
 /// pose or of its reflection, whichever is nearer.

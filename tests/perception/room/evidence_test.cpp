@@ -2,6 +2,8 @@
 #include "perception/room/evidence/evidence.h"
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -51,6 +53,36 @@ TEST(Evidence, GrowsWithOtherTilesButNotWithLongerViews) {
   EXPECT_LT(robot.evidence.log_odds(), 1.1 * once);
   robot.look(4, kReflected, 1.0);
   EXPECT_GT(robot.evidence.log_odds(), 1.7 * once);
+}
+
+std::vector<double> contributions(const Looking& robot) {
+  std::vector<double> log_odds{7.0};  // of an earlier frame
+  robot.evidence.contributions(robot.room.compared, robot.parameters, log_odds);
+  return log_odds;
+}
+
+double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+RC_GTEST_PROP(Evidence, IsTheSumOfTheContributionsOfTheTiles, ()) {
+  Looking robot;
+  const int looks = *rc::gen::inRange(0, 5);
+  for (int i = 0; i < looks; ++i)
+    robot.look(*rc::gen::inRange(0, 16), *rc::gen::inRange(0, 16), 0.01 * *rc::gen::inRange(1, 300));
+  const std::vector<double> tiles = contributions(robot);
+  RC_ASSERT(tiles.size() == 16u);
+  RC_ASSERT(std::abs(sum_of(tiles) - robot.evidence.log_odds()) < 1e-9);
+  robot.evidence.reflect(robot.room.wall);
+  const std::vector<double> reflected = contributions(robot);
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    RC_ASSERT(std::abs(reflected[(i + kReflected) % 16] + tiles[i]) < 1e-9);
+}
+
+TEST(Evidence, OfATileThatWasNotInViewIsZeroAndOfAMatchingTileIsForTheBelievedPose) {
+  Looking robot;
+  robot.look(2, 0, 1.0);
+  const std::vector<double> tiles = contributions(robot);
+  for (std::size_t i = 0; i < tiles.size(); ++i) EXPECT_EQ(tiles[i] < -0.5, i >= 2 && i < 6) << i;
+  EXPECT_EQ(tiles[0], 0.0);
 }
 
 TEST(Evidence, IgnoresPositionsWithTwoUnknownTiles) {

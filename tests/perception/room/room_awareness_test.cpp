@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "perception/room/room_awareness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -109,6 +111,45 @@ TEST(RoomAwareness, DistinguishesInformativeRoomsFromOthers) {
   EXPECT_GT(trained_robot(PaintedRoom::colorful(2), parameters).awareness.confidences().distinctiveness, 0.3);
   EXPECT_LT(trained_robot(PaintedRoom::symmetric(2), parameters).awareness.confidences().distinctiveness, 0.15);
   EXPECT_LT(trained_robot(PaintedRoom::plain(), parameters).awareness.confidences().distinctiveness, 0.05);
+}
+
+double sum_of_tiles(const RoomAwareness& awareness) {
+  std::vector<double> log_odds;
+  awareness.tile_evidence(log_odds);
+  return std::accumulate(log_odds.begin(), log_odds.end(), 0.0);
+}
+
+TEST_P(EachRecipe, TheEvidenceIsTheSumOverItsTilesInEachEvaluatedFrame) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(2), parameters_of(GetParam()));
+  robot.train = true;
+  const auto evidence = [&] { return robot.awareness.confidences().evidence; };
+  double most = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    robot.run(0.3);
+    EXPECT_NEAR(sum_of_tiles(robot.awareness), evidence(), 1e-9) << i;
+    most = std::max(most, std::abs(evidence()));
+    if (i == 15) turn_the_belief(robot);
+    EXPECT_NEAR(sum_of_tiles(robot.awareness), evidence(), 1e-9) << i;
+  }
+  EXPECT_GT(most, 1.0);
+}
+
+TEST(RoomAwareness, ReportsTheEvidenceOfItsTilesAlsoWithoutAComparedModel) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(2), {});
+  robot.run(2.0);
+  const double before = robot.awareness.confidences().evidence;
+  robot.awareness.rotate_by_180_degrees();
+  EXPECT_NEAR(sum_of_tiles(robot.awareness), before, 1e-9);
+  EXPECT_EQ(sum_of_tiles(RoomAwareness()), 0.0);
+}
+
+TEST(RoomAwareness, HasNoComparedTilesOfAFrameThatIsNotEvaluated) {
+  ScanningRobot robot = trained_robot(PaintedRoom::colorful(2), {});
+  robot.run(0.2);
+  EXPECT_FALSE(robot.awareness.scores().places().empty());
+  robot.evaluate = false;
+  robot.run(0.2);
+  EXPECT_TRUE(robot.awareness.scores().places().empty());
 }
 
 TEST(RoomAwareness, AWhiteRoomGivesNoEvidence) {

@@ -112,12 +112,61 @@ TEST_F(ViewerMessagesTest, FitTheirSchemasAndContainTheValuesOfTheRecord) {
   EXPECT_EQ(counts_[ViewerTopic::field], 1);
   EXPECT_EQ(counts_[ViewerTopic::upper_calibration], 1);
   EXPECT_GT(counts_[ViewerTopic::wall], 0);
+  EXPECT_EQ(counts_[ViewerTopic::room], counts_[ViewerTopic::wall]);
   EXPECT_GT(counts_[ViewerTopic::events], 0);
   EXPECT_GT(counts_[ViewerTopic::log], 0);
   EXPECT_NEAR(last_[ViewerTopic::pose]["pose"]["position"]["x"], last_world_.pose.pose.position.x(), 1e-4);
   EXPECT_EQ(last_[ViewerTopic::world]["clock"]["frame"], last_world_.frame);
   EXPECT_EQ(last_[ViewerTopic::world]["confidence"]["current"], last_world_.confidence.current);
   EXPECT_EQ(last_[ViewerTopic::truth]["pose"]["position"]["y"], 2.0);
+}
+
+/// The message of one topic of a frame with all topics.
+Json message_of(const FrameRecord& frame, ViewerTopic wanted) {
+  Json message;
+  ViewerMessages().add({frame, frame, {}, {}, true}, [&](ViewerTopic topic, std::string_view text) {
+    if (topic == wanted) message = Json::parse(text);
+  });
+  EXPECT_EQ(misfit(message, Json::parse(schema_text(info(wanted).schema))), "");
+  return message;
+}
+
+TEST(ViewerMessages, ContainTheEvidenceOfEachTileAndTheFitOfTheTilesInView) {
+  FrameRecord frame;
+  frame.filled = Topics::all();
+  frame.room.basis.wall.rows = 1;
+  frame.room.basis.wall.columns = 4;
+  frame.room.model.resize(4);
+  frame.room.evidence = {0.0, -1.25, 0.5, std::numeric_limits<double>::quiet_NaN()};
+  frame.room.perceived.resize(3);
+  for (int i = 0; i < 3; ++i) frame.room.perceived[static_cast<std::size_t>(i)].tile = i;
+  frame.room.perceived[1].counts = frame.room.perceived[2].counts = true;
+  frame.room.compared = {{1, 0.2, 0.6, true, true}, {2, 0.0, 0.3, false, true}};
+  frame.room.cells = {{0.5, 0.4}, {1.0, 0.1}, {1.5, 0.001}};
+  const Json tiles = message_of(frame, ViewerTopic::room);
+  EXPECT_EQ(tiles["view"], Json::array({{{"azimuth", 0.5}, {"share", 1.0}}, {{"azimuth", 1.0}, {"share", 0.25}}}));
+  EXPECT_EQ(tiles["evidence"], Json({0.0, -1.25, 0.5, 0.0}));
+  EXPECT_EQ(tiles["columns"], 4);
+  EXPECT_EQ(tiles["in_view"],
+            Json::array({{{"tile", 1}, {"believed", 0.2}, {"mirrored", 0.6}}, {{"tile", 2}, {"mirrored", 0.3}}}));
+  frame.room.evidence = {0.0, -1.25, 0.5, 0.25};
+  EXPECT_EQ(message_of(frame, ViewerTopic::room)["sum"], -0.5);
+}
+
+TEST(ViewerMessages, DrawRejectedFeaturesTranslucent) {
+  FrameRecord frame;
+  frame.filled = Topics::all();
+  frame.percepts[1].goal_posts.resize(3);
+  frame.feature_fits[1].goal_posts = {0.2F, 1.0F, FeatureFits::kIgnored};
+  const auto opacities = [&] {
+    std::vector<double> all;
+    const Json message = message_of(frame, ViewerTopic::percepts);
+    for (const Json& post : message["entities"][0]["cylinders"]) all.push_back(post["color"]["a"]);
+    return all;
+  };
+  EXPECT_EQ(opacities(), (std::vector{1.0, 0.4, 0.2}));
+  frame.filled = Topics::always();
+  EXPECT_EQ(opacities(), (std::vector{1.0, 1.0, 1.0}));
 }
 
 TEST(ViewerMessages, OmitNumbersThatAreNotFiniteAndCorrectInvalidText) {

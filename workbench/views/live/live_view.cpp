@@ -124,7 +124,8 @@ ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
   // Also from time to time, because a camera may send its first image late.
   begins_ = begins_ || shown % kParametersEvery == 0;
   keep_if(shown % kParticlesEvery == 0, {ViewerTopic::pose_particles});
-  keep_if(begins_ || shown % kRoomEvery == 0, {ViewerTopic::wall});
+  keep_if(begins_ || shown % kRoomEvery == 0, {ViewerTopic::room});
+  keep_if(begins_ || shown % kWallEvery == 0, {ViewerTopic::wall});
   keep_if(begins_ || shown % kParametersEvery == 0, {ViewerTopic::parameters});
   keep_if(begins_, {ViewerTopic::field, ViewerTopic::upper_calibration, ViewerTopic::lower_calibration});
   const auto has_image = [&](const std::optional<CameraFrame>& camera) {
@@ -150,7 +151,8 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
   const auto has = [&](ViewerTopic topic) { return topics.test(index_of(topic)); };
   if (has(ViewerTopic::costs)) wanted_ = wanted_ | Topics{Topic::costs};
   if (has(ViewerTopic::pose_particles)) wanted_ = wanted_ | Topics{Topic::pose_particles};
-  if (has(ViewerTopic::wall)) wanted_ = wanted_ | Topics{Topic::room};
+  if (has(ViewerTopic::wall) || has(ViewerTopic::room)) wanted_ = wanted_ | Topics{Topic::room};
+  if (has(ViewerTopic::percepts)) wanted_ = wanted_ | Topics{Topic::feature_fits};
   if (has(ViewerTopic::parameters)) wanted_ = wanted_ | Topics{Topic::parameters};
   copy_->has_image = {has(ViewerTopic::upper_image) || has(ViewerTopic::upper_annotations),
                       has(ViewerTopic::lower_image) || has(ViewerTopic::lower_annotations)};

@@ -21,6 +21,11 @@ struct Color {
 /// Converts the camera's YCbCr (full-range BT.601 as in JPEG). Levels beyond a byte are clamped.
 Color to_color(double luma, double cb, double cr);
 
+/// The evidence of a tile as a color: blue for the believed pose, gray for neither, red for the mirrored pose. The
+/// color is full from kFullEvidence on. `log_odds`: positive for the mirrored pose; gray if it is not finite.
+Color evidence_color(double log_odds);
+inline constexpr double kFullEvidence = 1.0;
+
 namespace palette {
 
 inline constexpr Color page{251, 251, 249};
@@ -44,6 +49,7 @@ inline constexpr Color view_particle{224, 0, 168};
 inline constexpr Color cluster{120, 126, 134};
 inline constexpr Color goal_area{0, 150, 136};
 inline constexpr Color unknown_tile{128, 128, 128, 0.15};
+inline constexpr Color no_evidence{190, 195, 201};  ///< of a tile that supports neither pose
 
 inline constexpr Color percept{0, 214, 255};  ///< detections in the image
 inline constexpr Color landmark{90, 240, 255};

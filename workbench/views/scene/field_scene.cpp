@@ -43,6 +43,14 @@ SceneLayer goals(const FieldDimensions& field) {
   return layer;
 }
 
+/// The opacity of a feature: full if it fits the field, and if its fit is unknown.
+double opacity_of(const std::vector<float>& fits, std::size_t feature) {
+  constexpr double kRejected = 0.4, kUnused = 0.2;
+  if (feature >= fits.size()) return 1.0;
+  if (fits[feature] < 0.0F) return kUnused;
+  return fits[feature] < 1.0F ? 1.0 : kRejected;
+}
+
 }  // namespace
 
 SceneLayer field_line_layer(const FieldDimensions& field) {
@@ -76,6 +84,17 @@ Scene field_scene(const FieldDimensions& field) {
   return {std::move(carpet), field_line_layer(field), goals(field)};
 }
 
+std::vector<ViewShare> view_shares(const RoomRecord& room) {
+  std::vector<ViewShare> shares;
+  for (const ViewCell& cell : room.cells) shares.push_back({cell.azimuth, cell.share});
+  for (const ViewParticle& particle : room.particles) shares.push_back({particle.azimuth, 1.0});
+  double most = 0.0;
+  for (const ViewShare& one : shares) most = std::max(most, one.share);
+  std::erase_if(shares, [most](const ViewShare& one) { return one.share < 0.01 * most; });
+  for (ViewShare& one : shares) one.share /= most;
+  return shares;
+}
+
 Scene wall_scene(const RoomRecord& room) {
   const Wall wall(room.basis.wall);
   SceneLayer tiles{"wall tiles"};
@@ -87,34 +106,36 @@ Scene wall_scene(const RoomRecord& room) {
     const Color color = model.light_visits > 0 ? mean.with_opacity(0.9) : palette::unknown_tile;
     tiles.shapes.push_back({{corners.begin(), corners.end()}, {}, 0.0, true, color});
   }
-  std::vector<std::pair<double, double>> shares;  // azimuth, fraction of the belief
-  for (const ViewCell& cell : room.cells) shares.emplace_back(cell.azimuth, cell.share);
-  for (const ViewParticle& particle : room.particles) shares.emplace_back(particle.azimuth, 1.0);
-  double most = 0.0;
-  for (const auto& [azimuth, share] : shares) most = std::max(most, share);
   SceneLayer view{"belief of the view"};
-  for (const auto& [azimuth, share] : shares) {
+  for (const auto& [azimuth, share] : view_shares(room)) {
     constexpr double kTallest = 2.0;  // m
-    if (share < 0.01 * most) continue;
     const Eigen::Vector2d foot = 0.95 * wall.radius() * unit_vector(azimuth);
-    view.shapes.push_back({{on_ground(foot), at_height(foot, kTallest * share / most)}, palette::view_particle, 0.06});
+    view.shapes.push_back({{on_ground(foot), at_height(foot, kTallest * share)}, palette::view_particle, 0.06});
   }
   return {std::move(tiles), std::move(view)};
 }
 
-Scene percept_scene(std::span<const FieldPercept> percepts) {
+Scene percept_scene(std::span<const FieldPercept> percepts, std::span<const FeatureFits> fits) {
   SceneLayer points{"line points"}, posts{"goal posts"}, obstacles{"obstacles"}, landmarks{"landmarks"}, balls{"ball"};
-  for (const FieldPercept& percept : percepts) {
-    for (const LinePoint& point : percept.line_points) {
+  const FeatureFits unknown;
+  for (std::size_t camera = 0; camera < percepts.size(); ++camera) {
+    const FieldPercept& percept = percepts[camera];
+    const FeatureFits& fit = camera < fits.size() ? fits[camera] : unknown;
+    for (std::size_t i = 0; i < percept.line_points.size(); ++i) {
+      const LinePoint& point = percept.line_points[i];
       const Eigen::Vector2d across = 0.06 * unit_vector(point.normal);
-      points.shapes.push_back(
-          {{on_ground(point.position - across), on_ground(point.position + across)}, palette::percept, 0.02});
+      points.shapes.push_back({{on_ground(point.position - across), on_ground(point.position + across)},
+                               palette::percept.with_opacity(opacity_of(fit.line_points, i)),
+                               0.02});
     }
     const auto stand = [](SceneLayer& layer, const Eigen::Vector2d& at, double height, double diameter, Color color) {
       layer.circles.push_back({on_ground(at), diameter / 2.0, color, 0.0, height});
     };
-    for (const GoalPost& post : percept.goal_posts)
-      stand(posts, post.position, 0.8, 0.1, palette::goal_area.with_opacity(post.base_visible ? 1.0 : 0.4));
+    for (std::size_t i = 0; i < percept.goal_posts.size(); ++i) {
+      const GoalPost& post = percept.goal_posts[i];
+      const double opacity = (post.base_visible ? 1.0 : 0.7) * opacity_of(fit.goal_posts, i);
+      stand(posts, post.position, 0.8, 0.1, palette::goal_area.with_opacity(opacity));
+    }
     for (const Obstacle& obstacle : percept.obstacles)
       stand(obstacles, obstacle.position, 0.3, 0.3, palette::obstacle.with_opacity(0.8));
     for (const Intersection& one : percept.intersections)

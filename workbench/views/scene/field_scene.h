@@ -19,11 +19,21 @@ SceneLayer field_line_layer(const FieldDimensions& field);
 /// Carpet, lines and goals. Field frame.
 Scene field_scene(const FieldDimensions& field);
 
+/// A part of the belief of the view.
+struct ViewShare {
+  double azimuth = 0.0;  ///< rad
+  double share = 0.0;    ///< of the largest part
+};
+
+/// The belief of the view, without parts below a hundredth of the largest one.
+std::vector<ViewShare> view_shares(const RoomRecord& room);
+
 /// The tiles of the wall in their mean colors, and the belief of the view as rods on the ground. Field frame.
 Scene wall_scene(const RoomRecord& room);
 
-/// The detections of both cameras on the ground. Robot frame.
-Scene percept_scene(std::span<const FieldPercept> percepts);
+/// The detections of both cameras on the ground. Robot frame. `fits`: of the same cameras, or empty. Line points and
+/// goal posts that the pose filter rejects at the believed pose, or does not use, have an opacity below 0.5.
+Scene percept_scene(std::span<const FieldPercept> percepts, std::span<const FeatureFits> fits = {});
 
 /// Field frame. The symbol of the truth is larger than that of the belief, so that it is visible below a correct
 /// belief.

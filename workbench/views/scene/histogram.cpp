@@ -13,6 +13,17 @@ Color to_color(double luma, double cb, double cr) {
   return {byte(y + 1.402 * red), byte(y - 0.344136 * blue - 0.714136 * red), byte(y + 1.772 * blue)};
 }
 
+Color evidence_color(double log_odds) {
+  if (!std::isfinite(log_odds)) return palette::no_evidence;
+  const Color full = log_odds > 0.0 ? palette::opposite : palette::belief;
+  const double share = std::sqrt(std::min(1.0, std::abs(log_odds) / kFullEvidence));
+  const auto mixed = [share](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(std::lround((1.0 - share) * from + share * to));
+  };
+  return {mixed(palette::no_evidence.red, full.red), mixed(palette::no_evidence.green, full.green),
+          mixed(palette::no_evidence.blue, full.blue)};
+}
+
 Color bin_color(int bin) {
   if (bin <= 0) return {18, 18, 20};
   if (bin == 1) return {255, 255, 255};

@@ -93,6 +93,29 @@ Json costs_json(const FrameRecord& extra, const SceneTruth& scene_truth) {
           {"machines", std::move(machines)}};
 }
 
+Json room_json(const RoomRecord& room) {
+  const auto rounded = [](double value) { return std::isfinite(value) ? std::round(1e4 * value) / 1e4 : 0.0; };
+  Json evidence = Json::array(), in_view = Json::array(), view = Json::array();
+  double sum = 0.0;
+  for (const double log_odds : room.evidence) {
+    evidence.push_back(rounded(log_odds));
+    sum += log_odds;
+  }
+  for (const PerceivedTile& perceived : room.perceived) {
+    if (!perceived.counts) continue;
+    Json tile{{"tile", perceived.tile}};
+    const auto place = std::find_if(room.compared.begin(), room.compared.end(),
+                                    [&](const ComparedPlace& one) { return one.tile == perceived.tile; });
+    if (place != room.compared.end() && place->believed_known) tile["believed"] = rounded(place->as_believed);
+    if (place != room.compared.end() && place->reflected_known) tile["mirrored"] = rounded(place->as_reflected);
+    in_view.push_back(std::move(tile));
+  }
+  for (const auto& [azimuth, share] : scene::view_shares(room))
+    view.push_back({{"azimuth", rounded(azimuth)}, {"share", rounded(share)}});
+  return {{"rows", room.basis.wall.rows},    {"columns", room.basis.wall.columns}, {"sum", rounded(sum)},
+          {"evidence", std::move(evidence)}, {"in_view", std::move(in_view)},      {"view", std::move(view)}};
+}
+
 Json parameters_json(const std::vector<Parameter>& parameters) {
   Json all = Json::array();
   for (const Parameter& parameter : parameters)
@@ -156,8 +179,10 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
 
   if (viewed.begins)
     send_scene(ViewerTopic::field, kField, "field", [&] { return scene::field_scene(frame.world.field); });
-  if (viewed.extra.filled.has(Topic::room) && !viewed.extra.room.model.empty())
+  if (viewed.extra.filled.has(Topic::room) && !viewed.extra.room.model.empty()) {
     send_scene(ViewerTopic::wall, kField, "wall", [&] { return scene::wall_scene(viewed.extra.room); });
+    send(ViewerTopic::room, [&] { return room_json(viewed.extra.room); });
+  }
   if (viewed.extra.filled.has(Topic::parameters))
     send(ViewerTopic::parameters, [&] { return parameters_json(viewed.extra.parameters); });
   if (viewed.extra.filled.has(Topic::pose_particles)) {
@@ -171,7 +196,11 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
   send(ViewerTopic::pose, [&] { return foxglove::pose_in_frame(time, kField, frame.world.pose.pose); });
   if (scene_truth.truth)
     send(ViewerTopic::truth, [&] { return foxglove::pose_in_frame(time, kField, scene_truth.truth->pose); });
-  send_scene(ViewerTopic::percepts, kRobot, "percepts", [&] { return scene::percept_scene(frame.percepts); });
+  send_scene(ViewerTopic::percepts, kRobot, "percepts", [&] {
+    const bool has_fits = viewed.extra.filled.has(Topic::feature_fits);
+    return scene::percept_scene(frame.percepts, has_fits ? std::span<const FeatureFits>(viewed.extra.feature_fits)
+                                                         : std::span<const FeatureFits>());
+  });
   send(ViewerTopic::world, [&] { return world_json(frame.world); });
   send(ViewerTopic::machines, [&] { return machines_json(frame); });
   send(ViewerTopic::request, [&] { return request_json(frame); });

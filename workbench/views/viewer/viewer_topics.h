@@ -19,6 +19,7 @@ enum class ViewerTopic {
   truth,
   field,
   wall,
+  room,
   percepts,
   upper_image,
   upper_calibration,
@@ -34,7 +35,7 @@ enum class ViewerTopic {
   costs,
   parameters
 };
-inline constexpr int kViewerTopicCount = 20;
+inline constexpr int kViewerTopicCount = 21;
 
 struct ViewerTopicInfo {
   ViewerTopic topic;
@@ -55,7 +56,10 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::wall, "/wall", "foxglove.SceneUpdate",
      "tiles of the background model in their mean color, once a second; vertical rods that show the estimated view",
      true},
-    {ViewerTopic::percepts, "/percepts", "foxglove.SceneUpdate", "detected features of the field, on the ground"},
+    {ViewerTopic::room, "/room", "reorient.Room",
+     "evidence of each tile of the wall, fit of the tiles in view, estimated view, five times a second", true},
+    {ViewerTopic::percepts, "/percepts", "foxglove.SceneUpdate",
+     "detected features of the field, on the ground; translucent: rejected at the believed pose"},
     {ViewerTopic::upper_image, "/camera/upper/image", "foxglove.CompressedImage",
      "a JPEG of the upper camera, not used by replay"},
     {ViewerTopic::upper_calibration, "/camera/upper/calibration", "foxglove.CameraCalibration",
@@ -83,7 +87,7 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
 using ViewerTopics = std::bitset<kViewerTopicCount>;
 
 /// Frames between two messages of topics that change slowly or are large.
-inline constexpr std::uint64_t kParticlesEvery = 6, kRoomEvery = 30, kParametersEvery = 300;
+inline constexpr std::uint64_t kParticlesEvery = 6, kRoomEvery = 6, kWallEvery = 30, kParametersEvery = 300;
 
 constexpr const ViewerTopicInfo& info(ViewerTopic topic) { return kViewerTopics[static_cast<std::size_t>(topic)]; }
 

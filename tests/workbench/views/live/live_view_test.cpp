@@ -176,7 +176,7 @@ TEST_F(ViewedRun, SendsEverySubscribedTopic) {
       ViewerTopic::transforms, ViewerTopic::pose,       ViewerTopic::pose_particles,    ViewerTopic::truth,
       ViewerTopic::field,      ViewerTopic::wall,       ViewerTopic::upper_image,       ViewerTopic::upper_calibration,
       ViewerTopic::world,      ViewerTopic::machines,   ViewerTopic::upper_annotations, ViewerTopic::request,
-      ViewerTopic::costs,      ViewerTopic::parameters, ViewerTopic::percepts};
+      ViewerTopic::costs,      ViewerTopic::parameters, ViewerTopic::percepts,          ViewerTopic::room};
   for (const ViewerTopic topic : topics) {
     subscribe(*viewer, {topic});
     sync(*viewer);
