@@ -191,6 +191,15 @@ const scriptsPanel = (of = page) => of.locator("[data-panel=scripts]");
 /// Waits until the robot has a text of the script.
 const untilSaved = (text) => untilReceived(() => robot.scripts.get(SCRIPT) === text);
 
+test("a click on a tile of the wall shows how well it matches the two poses", async () => {
+  const canvas = page.locator("[data-panel=wall] .stage canvas");
+  const { width, height } = await canvas.boundingBox();
+  await canvas.click({ position: { x: 0.4 * width, y: 0.4 * height } });
+  await page.locator("[data-panel=wall]").getByText(/^evidence .* of .* \((believed|mirrored|neither)\)/).waitFor();
+  await page.locator("[data-panel=wall]").getByRole("button", { name: "Close the numbers" }).click();
+  await page.locator(".tile-numbers").waitFor({ state: "detached" });
+});
+
 test("an edit of a script is checked while it is typed, saved with Ctrl-S, and refused at its line", async () => {
   await page.keyboard.press("0");
   await scriptsPanel().locator("input[type=search]").fill("orient");
@@ -281,7 +290,7 @@ test("damaged messages of the robot are reported, and the page continues", async
 
 test("messages that do not fit their schema disturb only the panels that show them", async () => {
   await page.keyboard.press("4");
-  for (const topic of ["/machines", "/percepts", "/wall", "/belief/particles", "/camera/upper/annotations", "/log"])
+  for (const topic of ["/machines", "/percepts", "/wall", "/room", "/belief/particles", "/camera/upper/annotations", "/log"])
     for (const value of [{}, null, 3, { machines: [{}], entities: [{}], poses: [{}] }]) robot.broadcast(topic, value);
   robot.broadcast("/world", { pose: "nowhere", confidence: { evidence: "much", status: 7 }, robot: null });
   robot.broadcast("/world", null);

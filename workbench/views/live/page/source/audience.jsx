@@ -25,8 +25,8 @@ export const isAudience = () => location.hash === "#audience" || location.pathna
 function Legend() {
   useChanges(1000);
   const entries = [
-    ["where the robot thinks it is", palette.belief],
-    ["the mirrored place", palette.opposite],
+    ["where the robot thinks it is, and tiles of the wall that fit", palette.belief],
+    ["the mirrored place, and tiles that fit it (striped)", palette.opposite],
   ];
   if (store.shown()?.truth) entries.push(["where it really is", palette.truth]);
   entries.push(["which part of the wall it recognizes", palette.view]);

@@ -7,6 +7,7 @@ import { readJson } from "./protocol.js";
 export const TOPICS = [
   "/field",
   "/wall",
+  "/room",
   "/percepts",
   "/belief/particles",
   "/truth/pose",

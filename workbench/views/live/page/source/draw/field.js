@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Drawing on the field: the transformation to pixels, robots, particles, detections, path.
 import { wrapped } from "../format.js";
+import { drawHollow, isHollow, outlineOf } from "./fits.js";
 import { palette, themeColor } from "./palette.js";
 import { extentOf } from "./scene.js";
 
@@ -133,7 +134,14 @@ export function drawPercepts(context, scene, pose, plan) {
   const cos = Math.cos(pose.rotation);
   const sin = Math.sin(pose.rotation);
   const at = (x, y) => plan.at(pose.x + cos * x - sin * y, pose.y + sin * x + cos * y);
+  const hollow = [];
   for (const { points, color, closed } of scene.lines) {
+    if (isHollow(color)) {
+      const [from, to] = [points[0], points[points.length - 1]];
+      const [u, v] = at((from.x + to.x) / 2, (from.y + to.y) / 2);
+      hollow.push({ u, v, color });
+      continue;
+    }
     context.beginPath();
     points.forEach(({ x, y }, i) => (i ? context.lineTo(...at(x, y)) : context.moveTo(...at(x, y))));
     if (closed) context.closePath();
@@ -141,14 +149,17 @@ export function drawPercepts(context, scene, pose, plan) {
     context.lineWidth = 1.5;
     context.stroke();
   }
+  drawHollow(context, hollow);
   for (const { x, y, radius, color } of scene.circles) {
     const [u, v] = at(x, y);
     context.beginPath();
     context.arc(u, v, Math.max(4, radius * plan.scale), 0, 2 * Math.PI);
-    context.fillStyle = color;
-    context.fill();
-    context.lineWidth = 1.5;
-    context.strokeStyle = "#fff";
+    if (!isHollow(color)) {
+      context.fillStyle = color;
+      context.fill();
+    }
+    context.lineWidth = isHollow(color) ? 2 : 1.5;
+    context.strokeStyle = isHollow(color) ? outlineOf(color) : "#fff";
     context.stroke();
   }
 }

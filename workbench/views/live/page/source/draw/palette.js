@@ -9,6 +9,7 @@ export const palette = {
   particle: "rgba(44, 50, 58, 0.62)",
   view: "#e000a8",
   unknownTile: "rgba(128, 128, 128, 0.15)",
+  noEvidence: "#bec3c9",
 };
 
 /// The color of a message: components from 0 to 1.

@@ -6,12 +6,17 @@ import { Canvas } from "../draw/canvas.jsx";
 import { drawCone, drawParticles, drawPath, drawPercepts, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
 import { palette } from "../draw/palette.js";
 import { drawScene, sceneOf } from "../draw/scene.js";
+import { tilesOf } from "../draw/tiles.js";
 import { drawRing } from "../draw/wall.js";
 import { degrees, meters } from "../format.js";
 import { store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { changedByUser, useChanges } from "../ticker.js";
 
+const HINTS = {
+  percepts: "Solid: matches the field at the believed pose. Hollow: rejected by the pose filter. Pale: not used by it.",
+  ring: "Frames of the tiles: blue matches the believed pose, striped red the mirrored pose.",
+};
 const LAYERS = [
   ["belief", "belief", palette.belief],
   ["cone", "view", "#7fa3ec"],
@@ -30,7 +35,8 @@ export function drawField(context, width, height, layers) {
   const plan = fieldPlan(message && sceneOf(message), wall && sceneOf(wall.value), width, height);
   if (message) drawScene(context, sceneOf(message), plan.at, plan.scale);
   plan.labels(context, message && sceneOf(message));
-  if (wall) drawRing(context, sceneOf(wall.value), plan);
+  const tiles = wall && store.read("/room", 60);
+  if (wall) drawRing(context, sceneOf(wall.value), plan, tiles && tilesOf(tiles.value));
   const frame = store.shown();
   if (!frame?.pose) return plan;
   if (layers.path) drawPath(context, store, plan);
@@ -119,6 +125,7 @@ function Layers() {
           key={id}
           class="chip"
           aria-pressed={settings.layers[id]}
+          title={HINTS[id]}
           onClick={() => set({ layers: { ...settings.layers, [id]: !settings.layers[id] } })}
         >
           <i class="dot" style={{ background: color }} />

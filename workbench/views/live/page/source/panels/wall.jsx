@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The wall of the room: tiles in their mean color, where the robot looks, and the view belief over the azimuth.
+// The wall of the room: tiles in their mean color, framed by the pose that they match, where the robot looks, and the
+// view belief over the azimuth.
+import { useRef } from "preact/hooks";
+
 import { Canvas } from "../draw/canvas.jsx";
 import { drawNote, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
 import { palette, themeColor } from "../draw/palette.js";
 import { sceneOf } from "../draw/scene.js";
-import { drawRing, sightOnWall, wallOf } from "../draw/wall.js";
+import { drawEvidence, evidenceColor, factsOf, tileAt, tilesOf } from "../draw/tiles.js";
+import { drawRing, sightOnWall, tileOfRing, wallOf } from "../draw/wall.js";
 import { fixed } from "../format.js";
 import { limits, store } from "../robot.js";
 import { set, settings } from "../settings.js";
-import { useChanges } from "../ticker.js";
+import { changedByUser, useChanges } from "../ticker.js";
 
 const LEAST_RING = 150; // pixels, below which the ring is too small to read
 const DIRECTIONS = [
@@ -45,7 +49,8 @@ function drawMarkers(context, markers, top, bottom, width) {
   }
 }
 
-function drawStrip(context, scene, frame, width, height) {
+/// Draws the wall unrolled. Returns the function that finds the tile at a pixel.
+function drawStrip(context, scene, evidence, frame, width, height) {
   const { radius, tiles, belief, top } = wallOf(scene);
   const [left, right, above, below] = [6, width - 6, 20, 17];
   // What is on the robot's left is on the left.
@@ -54,18 +59,21 @@ function drawStrip(context, scene, frame, width, height) {
   const [tilesTop, tilesBottom] = [above, height - below - bars - 4];
   const lowest = Math.min(...tiles.map((tile) => tile.low));
   const v = (z) => tilesBottom - ((z - lowest) / (top - lowest)) * (tilesBottom - tilesTop);
-  for (const { from, to, low, high, color } of tiles) {
+  tiles.forEach(({ from, to, low, high, color }, i) => {
     for (const turn of to > Math.PI ? [0, -2 * Math.PI] : [0]) {
       const [u1, u2] = [Math.max(left, at(to + turn)), Math.min(right, at(from + turn))];
       if (u2 <= u1) continue;
+      const box = [u1 + 0.5, v(high) + 0.5, u2 - 0.5, v(low) - 0.5];
+      const trace = () => context.rect(box[0], box[1], box[2] - box[0], box[3] - box[1]);
       context.fillStyle = color;
-      context.fillRect(u1 + 0.5, v(high) + 0.5, u2 - u1 - 1, v(low) - v(high) - 1);
+      context.fillRect(box[0], box[1], box[2] - box[0], box[3] - box[1]);
+      if (evidence) drawEvidence(context, evidence, i, trace, Math.min(u2 - u1, v(low) - v(high)), box);
     }
-  }
+  });
   const base = height - below;
   const wide = Math.max(2, (right - left) / 120);
   context.fillStyle = palette.view;
-  for (const { azimuth, bar } of belief) {
+  for (const { azimuth, bar } of evidence?.belief ?? belief) {
     const tall = Math.max(1, bar * (bars - 2));
     context.fillRect(at(azimuth) - wide / 2, base - tall, wide, tall);
   }
@@ -78,7 +86,11 @@ function drawStrip(context, scene, frame, width, height) {
     context.textAlign = angle === 180 ? "left" : angle === -180 ? "right" : "center";
     context.fillText(name, at((angle * Math.PI) / 180), base + 4);
   }
-  if (!frame?.pose) return;
+  const tileOf = (u, v) => {
+    const row = Math.floor(((tilesBottom - v) / (tilesBottom - tilesTop)) * evidence.rows);
+    return tileAt(evidence, Math.PI - ((u - left) / (right - left)) * 2 * Math.PI, row);
+  };
+  if (!frame?.pose) return tileOf;
   const seen = at(sightOnWall(frame.pose, frame.headYaw, radius));
   const other = at(sightOnWall(mirrored(frame.pose), frame.headYaw, radius));
   const views = [
@@ -86,11 +98,13 @@ function drawStrip(context, scene, frame, width, height) {
     { u: seen, color: themeColor("belief"), name: "believed view" },
   ];
   drawMarkers(context, views, above, base, width);
+  return tileOf;
 }
 
-function drawWallRing(context, scene, frame, width, height) {
+/// The same for the wall as a ring.
+function drawWallRing(context, scene, evidence, frame, width, height) {
   const plan = fieldPlan(null, scene, width, height);
-  drawRing(context, scene, plan);
+  drawRing(context, scene, plan, evidence);
   const message = store.lasting.get("/field");
   if (message) {
     for (const { points, color } of sceneOf(message).polygons) {
@@ -101,7 +115,8 @@ function drawWallRing(context, scene, frame, width, height) {
       context.fill();
     }
   }
-  if (!frame?.pose) return;
+  const tileOf = (u, v) => tileOfRing(scene, plan, evidence, u, v);
+  if (!frame?.pose) return tileOf;
   const { radius } = wallOf(scene);
   for (const [pose, color] of [
     [mirrored(frame.pose), palette.opposite],
@@ -118,15 +133,27 @@ function drawWallRing(context, scene, frame, width, height) {
     context.setLineDash([]);
     drawRobot(context, pose, color, 5, plan, color === palette.opposite);
   }
+  return tileOf;
 }
 
+/// The last message of /room, if the robot sends it: {tiles, time}.
+function roomShown() {
+  const found = store.read("/room", 60);
+  return found && { tiles: tilesOf(found.value), time: found.time };
+}
+
+/// Draws the wall as a strip or as a ring. Returns the function that finds the tile at a pixel, if there is a wall.
 export function drawWall(context, width, height, form) {
   const found = store.read("/wall", 60);
-  if (!found) return drawNote(context, "The robot has not learned any colors of the room yet.", width, height);
+  if (!found) {
+    drawNote(context, "The robot has not learned any colors of the room yet.", width, height);
+    return null;
+  }
   const draw = form === "ring" && height > LEAST_RING ? drawWallRing : drawStrip;
-  // The belief of the view belongs to the frame of the wall, and so do the views that it is compared with.
-  const frame = store.frames[store.indexAt(found.time)];
-  return draw(context, sceneOf(found.value), frame, width, height);
+  const room = roomShown();
+  // The belief of the view belongs to the frame of its message, and so do the views that it is compared with.
+  const frame = store.frames[store.indexAt((room ?? found).time)];
+  return draw(context, sceneOf(found.value), room?.tiles, frame, width, height);
 }
 
 /// The evidence as a bar from the believed to the mirrored pose, with the thresholds of a decision.
@@ -156,9 +183,51 @@ export function EvidenceBar() {
   );
 }
 
+/// What the frames of the tiles mean.
+function TileLegend() {
+  return (
+    <p class="tile-legend" title="A frame is thick while its tile is in view. A click on a tile shows its numbers.">
+      Tiles match
+      <i style={{ borderColor: evidenceColor(-1) }} /> believed
+      <i style={{ borderColor: evidenceColor(0) }} /> neither
+      <i class="striped" style={{ borderColor: evidenceColor(1), color: evidenceColor(1) }} /> mirrored
+    </p>
+  );
+}
+
+/// What is known about the tile that was clicked; otherwise the legend. A box would cover tiles.
+function TileNumbers({ picked }) {
+  useChanges(200);
+  const tiles = roomShown()?.tiles;
+  if (picked.current === null || !tiles) return <TileLegend />;
+  const close = () => {
+    picked.current = null;
+    changedByUser();
+  };
+  return (
+    <div class="tile-numbers" role="status">
+      {factsOf(tiles, picked.current).map((fact) => (
+        <span key={fact}>{fact}</span>
+      ))}
+      <button class="plain" aria-label="Close the numbers" onClick={close}>
+        ×
+      </button>
+    </div>
+  );
+}
+
 function WallPanel() {
   useChanges(1000);
   const other = settings.wall === "ring" ? "strip" : "ring";
+  const tileOf = useRef(null);
+  const picked = useRef(null);
+  const pick = (u, v) => {
+    picked.current = (roomShown() && tileOf.current?.(u, v)) ?? null;
+    changedByUser();
+  };
+  const draw = (context, width, height) => {
+    tileOf.current = drawWall(context, width, height, settings.wall);
+  };
   return (
     <div class="fill column">
       <div class="row tight">
@@ -167,11 +236,13 @@ function WallPanel() {
           Show as {other}
         </button>
       </div>
+      <TileNumbers picked={picked} />
       <div class="stage">
         <Canvas
-          draw={(context, width, height) => drawWall(context, width, height, settings.wall)}
+          draw={draw}
           interval={66}
-          label="The wall of the room in the colors that the robot learned"
+          onPoint={pick}
+          label="The wall of the room in the colors that the robot learned, and the tiles that match the believed pose"
         />
       </div>
     </div>
