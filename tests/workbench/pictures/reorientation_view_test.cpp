@@ -12,7 +12,7 @@ namespace reorient::pictures {
 namespace {
 
 // The two panels, below title and legend; the same numbers as in the implementation.
-constexpr int kPanelTop = 170;
+constexpr int kPanelTop = 194;
 constexpr int kMiddle = 750;
 
 ReorientationSnapshot flip() {
@@ -30,6 +30,32 @@ TEST(ReorientationView, ShowsTheBeliefJumpToTheTruth) {
   EXPECT_EQ(believed(kMiddle + 20, 1100), 0);  // after: on the right of the second one
   EXPECT_GT(believed(1114, 1464), 60);
   EXPECT_GT(count(picture, palette::truth, 400, kPanelTop, kMiddle, picture.height), 100);
+}
+
+TEST(ReorientationView, ColorsTheParticlesThatAPurgeRemoves) {
+  const Pose2 truth(3.0, 1.0, 0.0);
+  const ReorientationSnapshot purge{1.0,   Reorientation::purge_reflection, {},     truth,
+                                    truth, {truth, reflect(truth)},         {truth}};
+  const Picture picture = draw_reorientation_view({}, {purge});
+  const auto mirrored = [&](int left, int right) {
+    return count(picture, palette::opposite, left, kPanelTop, right, picture.height);
+  };
+  EXPECT_GT(mirrored(36, kMiddle), 10);
+  EXPECT_EQ(mirrored(kMiddle, 1464), 0);
+}
+
+TEST(ReorientationView, HasNoEntryOfTheLegendWithoutItsObject) {
+  ReorientationSnapshot one = flip();
+  const auto in_legend = [&](Color color) {
+    return count(draw_reorientation_view({}, {one}), color, 0, 70, 1500, 106);
+  };
+  EXPECT_GT(in_legend(palette::truth), 20);
+  EXPECT_EQ(in_legend(palette::opposite), 0);
+  one.truth.reset();
+  EXPECT_EQ(in_legend(palette::truth), 0);
+  EXPECT_GT(in_legend(palette::belief), 20);
+  const Picture empty = draw_reorientation_view({}, {});
+  EXPECT_EQ(count(empty, palette::page, 0, 70, 1500, 106), 1500 * 36);
 }
 
 TEST(ReorientationView, DrawsARowForEachCommand) {

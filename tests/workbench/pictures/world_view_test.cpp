@@ -64,6 +64,35 @@ TEST(WorldView, DrawsATileInItsDirectionAndPerceivedTilesFurtherOut) {
   EXPECT_GT(farthest(draw_world_view(seen), scene::bin_color(kPurple)), farthest(low, scene::bin_color(kPurple)));
 }
 
+TEST(WorldView, ColorsPerceivedTilesByThePoseThatTheyMatch) {
+  const auto drawn = [](std::optional<double> evidence) {
+    WorldView world;
+    world.perceived = {tile(0.0, 0, 0)};
+    world.perceived[0].evidence = evidence;
+    return draw_world_view(world);
+  };
+  const auto on_tile = [](const Picture& picture, Color color) { return count(picture, color, 1250, 500, 1330, 700); };
+  EXPECT_GT(on_tile(drawn(-5.0), palette::belief), 300);
+  EXPECT_EQ(on_tile(drawn(-5.0), palette::opposite), 0);
+  EXPECT_GT(on_tile(drawn(5.0), palette::opposite), 300);
+  EXPECT_GT(on_tile(drawn(0.0), palette::no_evidence), 300);
+  EXPECT_GT(on_tile(drawn(kNaN), palette::no_evidence), 300);
+  EXPECT_EQ(on_tile(drawn({}), palette::belief) + on_tile(drawn({}), palette::opposite), 0);
+}
+
+TEST(WorldView, ListsOnlyTheColorsOfTilesThatItShows) {
+  const auto in_legend = [](double evidence, Color color) {
+    WorldView world;
+    world.perceived = {tile(0.0, 0, 0)};
+    world.perceived[0].evidence = evidence;
+    return count(draw_world_view(world), color, 1230, 60, 1280, 160);
+  };
+  EXPECT_GT(in_legend(-0.1, palette::belief), 100);
+  EXPECT_EQ(in_legend(-0.1, palette::opposite), 0);
+  EXPECT_GT(in_legend(0.1, palette::opposite), 100);
+  EXPECT_EQ(in_legend(0.1, palette::belief), 0);
+}
+
 TEST(WorldView, DrawsEachViewParticleInMagenta) {
   WorldView world;
   world.view_particles = {0.0, 0.5, -0.5};

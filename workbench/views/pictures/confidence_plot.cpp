@@ -261,9 +261,12 @@ std::vector<LegendEntry> entries(const ConfidencePlot& plot) {
       canvas.line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), color, 3.5);
     };
   };
-  std::vector<LegendEntry> list{{curves(palette::belief), "current pose (bold: smoothed, pale: raw)"},
-                                {curves(palette::opposite), "opposite pose"},
-                                line_entry(palette::goal_area, 3.0, "evidence (log-odds of the mirrored pose)")};
+  std::vector<LegendEntry> list;
+  if (!plot.samples.empty()) {
+    list.push_back({curves(palette::belief), "current pose (bold: smoothed, pale: raw)"});
+    list.push_back({curves(palette::opposite), "opposite pose"});
+    list.push_back(line_entry(palette::goal_area, 3.0, "evidence (log-odds of the mirrored pose)"));
+  }
   const auto dashed = [](Canvas& canvas, const Pixel& center) {
     canvas.dashed_line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), palette::faint_ink, 1.5, 6.0);
   };

@@ -27,8 +27,12 @@ void add_room(const RoomRecord& room, WorldView& view) {
       drawn.histogram.deviation[bin] = std::sqrt(model.variance[bin]);
     (model.visits > 0 ? view.model : view.untrained).push_back(drawn);
   }
-  for (const PerceivedTile& perceived : room.perceived)
-    if (perceived.counts) view.perceived.push_back(wall_tile(wall, perceived.tile, perceived.histogram));
+  for (const PerceivedTile& perceived : room.perceived) {
+    if (!perceived.counts) continue;
+    WallTile& drawn = view.perceived.emplace_back(wall_tile(wall, perceived.tile, perceived.histogram));
+    const auto tile = static_cast<std::size_t>(perceived.tile);
+    if (tile < room.evidence.size()) drawn.evidence = room.evidence[tile];
+  }
   for (const ViewParticle& particle : room.particles) view.view_particles.push_back(particle.azimuth);
   const double half_cell = kPi / static_cast<double>(room.cells.size());
   for (const reorient::ViewCell& cell : room.cells)

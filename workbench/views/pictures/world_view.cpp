@@ -20,15 +20,17 @@ constexpr int kRows = 6;
 constexpr double kFullRing = 0.5;  // fraction of the pixels whose bar is as high as its ring
 
 // Radii in pixels, from the inside out.
-constexpr double kFieldRadius = 268.0;
-constexpr double kGoalAreaInner = 270.0;
-constexpr double kGoalAreaOuter = 280.0;
-constexpr double kViewInner = 284.0;
-constexpr double kParticles = 306.0;
-constexpr double kViewOuter = 328.0;
-constexpr double kModelInner = 332.0;
-constexpr double kModelDepth = 140.0;
-constexpr double kPerceivedInner = 480.0;
+constexpr double kFieldRadius = 356.0;
+constexpr double kGoalAreaInner = 358.0;
+constexpr double kGoalAreaOuter = 368.0;
+constexpr double kViewInner = 372.0;
+constexpr double kParticles = 392.0;
+constexpr double kViewOuter = 412.0;
+constexpr double kModelInner = 416.0;
+constexpr double kModelDepth = 88.0;
+constexpr double kPerceivedInner = 510.0;
+constexpr double kLeastEvidence = 0.02;  // log-odds of a tile that supports neither pose
+constexpr Color kStripe{255, 255, 255, 0.75};
 constexpr double kBelow = 0.3;  // fraction of a ring's depth that is for the deviations
 
 bool drawable(const WallTile& tile) {
@@ -43,10 +45,23 @@ class Rings {
       : canvas_(canvas), center_(center), inner_(inner), depth_(depth / rows) {}
 
   void plate(const WallTile& tile, Color color) const {
-    const double foot = inner_ + tile.row * depth_;
-    const double seam = std::min(0.06 * (tile.to - tile.from), 4.0 / foot);
-    canvas_.fill(ring_sector(center_, foot + 1.0, foot + depth_ - 1.5, tile.from + seam / 2.0, tile.to - seam / 2.0),
+    const double foot = inner_ + tile.row * depth_, half_seam = seam(tile) / 2.0;
+    canvas_.fill(ring_sector(center_, foot + 1.0, foot + depth_ - 1.5, tile.from + half_seam, tile.to - half_seam),
                  color);
+  }
+
+  /// A plate in the color of the tile's evidence. Stripes are the sign of the mirrored pose, also without colors.
+  void evidence_plate(const WallTile& tile) const {
+    if (!tile.evidence) return plate(tile, palette::plate);
+    plate(tile, scene::evidence_color(*tile.evidence));
+    if (!(*tile.evidence >= kLeastEvidence)) return;
+    const double foot = inner_ + tile.row * depth_ + 1.0, head = foot + depth_ - 2.5, half_seam = seam(tile) / 2.0;
+    constexpr int kStripes = 3;
+    const double step = (tile.to - tile.from - 2.0 * half_seam) / (kStripes + 1);
+    for (int i = 0; i < kStripes; ++i) {
+      const double from = tile.from + half_seam + (i + 0.5) * step;
+      canvas_.line(at(from, foot), at(from + step, head), kStripe, 2.0);
+    }
   }
 
   void bars(const WallTile& tile, double below) const {
@@ -58,12 +73,15 @@ class Rings {
       const double radius = base + up * (up > 0.0 ? (1.0 - below) * height : below * height);
       // The first bin is at the left as seen from the center.
       const double angle = tile.to - margin + along * (tile.from - tile.to + 2.0 * margin);
-      return center_ + radius * Pixel(std::cos(angle), -std::sin(angle));
+      return at(angle, radius);
     };
     draw_histogram(canvas_, tile.histogram, place, kFullRing);
   }
 
  private:
+  static double seam(const WallTile& tile) { return std::min(0.06 * (tile.to - tile.from), 4.0 / kModelInner); }
+  Pixel at(double angle, double radius) const { return center_ + radius * Pixel(std::cos(angle), -std::sin(angle)); }
+
   Canvas& canvas_;
   Pixel center_;
   double inner_;
@@ -91,7 +109,7 @@ void draw_wall(Canvas& canvas, const Pixel& center, const WorldView& world) {
   const Rings perceived(canvas, center, kPerceivedInner, kModelDepth * (1.0 - kBelow), rows);
   for (const WallTile& tile : world.perceived) {
     if (!drawable(tile)) continue;
-    perceived.plate(tile, palette::plate);
+    perceived.evidence_plate(tile);
     perceived.bars(tile, 0.0);
   }
 }
@@ -177,6 +195,33 @@ std::vector<LegendEntry> entries(const WorldView& world, std::span<const scene::
   return list;
 }
 
+/// The colors of the perceived tiles, of those that are drawn.
+void draw_evidence_legend(Canvas& canvas, const std::vector<WallTile>& tiles) {
+  bool believed = false, mirrored = false, neither = false;
+  for (const WallTile& tile : tiles) {
+    if (!drawable(tile) || !tile.evidence) continue;
+    const bool is_clear = std::abs(*tile.evidence) >= kLeastEvidence;
+    believed |= is_clear && *tile.evidence < 0.0;
+    mirrored |= is_clear && *tile.evidence > 0.0;
+    neither |= !is_clear;
+  }
+  std::vector<LegendEntry> list;
+  const double full = scene::kFullEvidence;
+  if (believed) list.push_back(patch_entry(scene::evidence_color(-full), "the believed pose"));
+  if (mirrored) {
+    const auto striped = [full](Canvas& surface, const Pixel& center) {
+      surface.fill_box({center.x() - 15.0, center.y() - 8.0, 30.0, 16.0}, scene::evidence_color(full));
+      for (const double x : {-12.0, -4.0, 4.0})
+        surface.line(center + Pixel(x, 7.0), center + Pixel(x + 8.0, -7.0), kStripe, 2.0);
+    };
+    list.push_back({striped, "the mirrored pose"});
+  }
+  if (neither) list.push_back(patch_entry(palette::no_evidence, "neither"));
+  if (list.empty()) return;
+  canvas.text({1234.0, 54.0}, "Tiles in view match", {.size = 21.0, .bold = true});
+  draw_legend_column(canvas, {1230.0, 68.0}, list);
+}
+
 void draw_chart_legend(Canvas& canvas, bool any_perceived) {
   const double left = 1226.0;
   const double top = 988.0;
@@ -208,7 +253,7 @@ Picture draw_world_view(const WorldView& world) {
   const std::vector<scene::PoseLayer> poses = scene::pose_layers(world.pose_particles, world.truth, world.belief);
   draw_poses(canvas, view, poses);
   const double field_bottom = carpet_half_size(world.field).y() * view.pixels_per_meter;
-  draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 236.0)), palette::ink);
+  draw_scale_bar(canvas, view, center + Pixel(0.0, std::clamp(field_bottom + 44.0, 60.0, 310.0)), palette::ink);
 
   const TextStyle bold{.size = 28.0, .bold = true};
   canvas.text({36.0, 58.0}, shortened(world.title, 440.0, bold), bold);
@@ -221,6 +266,7 @@ Picture draw_world_view(const WorldView& world) {
   canvas.text({36.0, 120.0}, shortened(world.note, 380.0, plain), plain);
   const std::vector<LegendEntry> list = entries(world, poses);
   draw_legend_column(canvas, {36.0, kHeight - 40.0 - 30.0 * static_cast<double>(list.size())}, list);
+  draw_evidence_legend(canvas, world.perceived);
   draw_chart_legend(canvas, std::any_of(world.perceived.begin(), world.perceived.end(), drawable));
   return canvas.finish();
 }

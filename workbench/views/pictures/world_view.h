@@ -19,6 +19,7 @@ struct WallTile {
   double to = 0.0;    ///< its left side, greater than `from`
   int row = 0;        ///< 0 is the lowest; at most 5 are drawn
   scene::HistogramBars histogram;
+  std::optional<double> evidence = std::nullopt;  ///< log-odds that color it: positive for the mirrored pose
 };
 
 /// A cell of the view filter's grid.
@@ -47,7 +48,7 @@ struct WorldView {
   double wall_radius = 8.0;            ///< m
   std::vector<WallTile> model;         ///< trained tiles
   std::vector<WallTile> untrained;     ///< drawn as empty plates
-  std::vector<WallTile> perceived;     ///< tiles of this frame, without deviations
+  std::vector<WallTile> perceived;     ///< tiles of this frame, without deviations, with their evidence
   std::vector<double> view_particles;  ///< azimuths, rad
   std::vector<ViewCell> view_cells;    ///< drawn as bars; height: square root of the share, relative to the ring
   std::vector<ViewCluster> view_clusters;
