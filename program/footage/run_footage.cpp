@@ -107,7 +107,8 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
                        .venue = setup.source.string(),
                        .subject = {.parameters = [&] { return engine.parameters(); },
                                    .kept_parameters = [&] { return prepared.kept; },
-                                   .scripts = [&] { return edits.known(); }},
+                                   .scripts = [&] { return edits.known(); },
+                                   .engine = [&] { return &engine; }},
                        .failure = failure},
                       {{}, {}, verdict}, out, err);
 }

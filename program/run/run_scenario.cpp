@@ -127,7 +127,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                                    .parameters = [&] { return simulation.parameters(); },
                                    .kept_parameters = [&] { return simulation.kept_parameters(); },
                                    .scripts = [&] { return edits->known(); },
-                                   .running = [&] { return &simulation.engine().scripts(); }}},
+                                   .engine = [&] { return &simulation.engine(); }}},
                       guests, out, err);
 }
 

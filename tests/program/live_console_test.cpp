@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "program/run/console/condition_values.h"
 #include "tests/engine/frame_fixture.h"
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
@@ -52,7 +51,7 @@ class LiveConsoleTest : public ::testing::Test {
                     ConsoleSubject{.scenario = &*scenario,
                                    .parameters = parameters,
                                    .scripts = [this] { return &(on_disk = read_scripts(folder.path())); },
-                                   .running = [this] { return &loop.engine->scripts(); }});
+                                   .engine = [this] { return &*loop.engine; }});
     poll();
   }
   ~LiveConsoleTest() override {
@@ -327,29 +326,6 @@ TEST_F(LiveConsoleTest, ExplainsTheStateOfABehavior) {
             "    -> on  no, 0.0 of 0.5 s       it is dark (line 5)\n"
             "       robot.penalized = false\n"
             "    -> on  after 0.0 of 3600.0 s  after 3600 s (line 6)\n");
-}
-
-TEST(FieldsRead, AreThoseOfTheConditionAndItsLocalFunctions) {
-  constexpr const char* kScript = R"(local function lost()
-  return confidence.status == "lost" or not pose.known
-end
-local far = function() return pose.x > 3 end
-behavior "b" {
-  state "a" {
-    { "c", when = function() return confidence.evidence > lib.limit and robot.penalized and robot.nothing end },
-    { "d",
-      when = lost, because = "pose.y" },
-    { "e", when = function() return far() or lost() or pose.x < 0 end }, { "f", when = function() return clock.time end },
-  },
-})";
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(fields_read_at(kScript, 7), (Names{"confidence.evidence", "robot.penalized"}));
-  EXPECT_EQ(fields_read_at(kScript, 8), (Names{"confidence.status", "pose.known"}));
-  EXPECT_EQ(fields_read_at(kScript, 10), (Names{"pose.x", "confidence.status", "pose.known"}));
-  EXPECT_EQ(fields_read_at(kScript, 1), Names());
-  EXPECT_EQ(fields_read_at(kScript, 99), Names());
-  EXPECT_EQ(fields_read_at("", 1), Names());
-  EXPECT_EQ(fields_read_at("{ pose.x", 1), Names{"pose.x"});
 }
 
 TEST_F(LiveConsoleTest, ShowsTheDwellTimeOfACondition) {

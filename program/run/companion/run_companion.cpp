@@ -154,7 +154,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   const ConsoleSubject subject{
       .parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
       .scripts = [&] { return edits.known(); },
-      .running = [&] { return engine_now != nullptr ? &engine_now->scripts() : nullptr; }};
+      .engine = [&] { return engine_now; }};
   LiveConsole console(STDIN_FILENO, out, subject, history_path());
   const LiveViewPointer view = start_live_view(options.live, LiveLoad::usual, subject, options.scripts, console, err);
   const auto is_over = [&] {

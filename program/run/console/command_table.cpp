@@ -71,7 +71,7 @@ Reply wait(double seconds) {
 
 CommandTable::CommandTable(ConsoleSubject subject)
     : parameters_(subject.scenario, std::move(subject.parameters), std::move(subject.kept_parameters)),
-      scripts_(subject.scenario, std::move(subject.scripts), std::move(subject.running)) {
+      scripts_(subject.scenario, std::move(subject.scripts), std::move(subject.engine)) {
   const auto parameter_or_value = [this](const Words& before) {
     return before.empty() ? parameters_.names() : before.size() == 1 ? parameters_.values(before[0]) : Words();
   };

@@ -21,7 +21,7 @@ struct ConsoleSubject {
   std::function<std::vector<Parameter>()> parameters;               ///< all existing parameters
   std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not loaded; may be empty
   std::function<const ScriptTexts*()> scripts{};                    ///< as last read from the disk
-  std::function<const ScriptTexts*()> running{};                    ///< the behaviors' texts; may be empty
+  std::function<const FrameLoop*()> engine{};                       ///< nullptr: no robot; may be empty
 };
 
 class CommandTable {

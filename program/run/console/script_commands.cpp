@@ -11,10 +11,10 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
-#include "program/run/console/condition_values.h"
 #include "program/run/console/name_pattern.h"
 #include "program/run/console/world_commands.h"
 #include "workbench/files/script_files.h"
+#include "workbench/script_tools/graph/condition_fields.h"
 
 namespace reorient {
 namespace {
@@ -56,27 +56,27 @@ std::string progress_text(const OpenCondition& condition) {
   return text;
 }
 
-/// The text of the machine's file: by convention they have the same name. Empty: unknown.
-std::string_view text_of(const std::string& machine, const ScriptTexts* texts) {
-  if (texts == nullptr) return {};
-  for (const std::string& file : texts->files()) {
-    if (std::filesystem::path(file).stem() == machine && !file.starts_with("lib/")) return texts->find(file)->text;
+/// The file of the machine: by convention they have the same name. Empty: unknown.
+std::string file_of(const std::string& machine, const ScriptTexts& texts) {
+  for (const std::string& file : texts.files()) {
+    if (std::filesystem::path(file).stem() == machine && !file.starts_with("lib/")) return file;
   }
   return {};
 }
 
 /// "confidence.evidence = -3.2, robot.penalized = false": what the condition reads, in this frame.
-std::string values_text(std::string_view script, int line, const World& world) {
+std::string values_text(const std::vector<std::string>& fields, const World& world) {
   std::string text;
-  for (const std::string& field : fields_read_at(script, line))
+  for (const std::string& field : fields)
     text.append(text.empty() ? "" : ", ").append(field).append(" = ").append(value_text(world, field));
   return text;
 }
 
 std::string why_text(const MachineStatus& status, const std::vector<OpenCondition>& conditions, const NameTable& names,
-                     const ScriptTexts* texts, const World& world) {
+                     const ScriptTexts& texts, const World& world) {
   const double now = world.time;
-  const std::string_view script = text_of(names[status.machine], texts);
+  const std::string file = file_of(names[status.machine], texts);
+  ConditionFields fields(texts);
   std::string text = fmt::format("  {}: {} for {:.1f} s{}\n", names[status.machine], names[status.state],
                                  now - status.entered_at, stopped_text(status));
   std::size_t target_width = 0, progress_width = 0;
@@ -90,7 +90,7 @@ std::string why_text(const MachineStatus& status, const std::vector<OpenConditio
     if (one.machine != status.machine) continue;
     text += fmt::format("    -> {:<{}}  {:<{}}  {} (line {})\n", names[one.target], target_width, progress_text(one),
                         progress_width, as_line(names[one.reason]), one.line);
-    if (const std::string values = values_text(script, one.line, world); !values.empty())
+    if (const std::string values = values_text(fields.read_at(file, {one.line, 0}), world); !values.empty())
       text += "       " + values + "\n";
   }
   return text;
@@ -106,8 +106,8 @@ const MachineStatus* find(const std::vector<MachineStatus>& machines, const Name
 }  // namespace
 
 ScriptCommands::ScriptCommands(ScenarioHost* scenario, std::function<const ScriptTexts*()> on_disk,
-                               std::function<const ScriptTexts*()> running)
-    : scenario_(scenario), on_disk_(std::move(on_disk)), running_(std::move(running)) {}
+                               std::function<const FrameLoop*()> engine)
+    : scenario_(scenario), on_disk_(std::move(on_disk)), engine_(std::move(engine)) {}
 
 Reply ScriptCommands::states() { return states_text; }
 
@@ -115,13 +115,17 @@ Reply ScriptCommands::why(const std::string& machine) const {
   if (std::find(machines_.begin(), machines_.end(), machine) == machines_.end())
     throw std::runtime_error("unknown machine '" + machine + "'" + did_you_mean(machine, machines_));
   return [this, machine](const FrameRecord& frame, const SceneTruth& scene) -> std::string {
-    if (const MachineStatus* const status = find(frame.machines, *frame.names, machine))
-      return why_text(*status, frame.conditions, *frame.names, running_ ? running_() : nullptr, frame.world);
+    if (const MachineStatus* const status = find(frame.machines, *frame.names, machine)) {
+      const FrameLoop* const engine = engine_ ? engine_() : nullptr;
+      const ScriptTexts unknown;
+      return why_text(*status, frame.conditions, *frame.names, engine != nullptr ? engine->scripts() : unknown,
+                      frame.world);
+    }
     const MachineStatus* const status = find(scene.scenario.machines, *scene.scenario.names, machine);
     if (status == nullptr || scenario_ == nullptr) return "  this machine no longer exists\n";
     std::vector<OpenCondition> conditions;
     scenario_->host().read_conditions(conditions);
-    return why_text(*status, conditions, *scene.scenario.names, &scenario_->host().texts(), frame.world);
+    return why_text(*status, conditions, *scene.scenario.names, scenario_->host().texts(), frame.world);
   };
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/frame.h"
 #include "program/run/console/command.h"
 
 namespace reorient {
@@ -13,9 +14,9 @@ namespace reorient {
 class ScriptCommands {
  public:
   /// `scenario` may be nullptr; `on_disk`: the scripts as last read from the disk, which no command waits for;
-  /// `running`: the texts of the running behaviors, may be empty.
+  /// `engine`: that of the running behaviors, nullptr without a robot; may be empty.
   ScriptCommands(ScenarioHost* scenario, std::function<const ScriptTexts*()> on_disk,
-                 std::function<const ScriptTexts*()> running = {});
+                 std::function<const FrameLoop*()> engine = {});
 
   /// All machines with state and cost; needs Topic::costs.
   static Reply states();
@@ -34,7 +35,7 @@ class ScriptCommands {
  private:
   ScenarioHost* scenario_;
   std::function<const ScriptTexts*()> on_disk_;
-  std::function<const ScriptTexts*()> running_;
+  std::function<const FrameLoop*()> engine_;
   Words machines_;
 };
 

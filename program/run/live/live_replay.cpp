@@ -89,7 +89,7 @@ class LiveReplay {
         recording_(options.file, is_interrupted),
         commands_({.parameters = [this] { return parameters(); },
                    .scripts = [this] { return &(on_disk_ = read_scripts(options_.scripts)); },
-                   .running = [this] { return engine_ != nullptr ? &engine_->scripts() : nullptr; }}) {
+                   .engine = [this] { return engine_; }}) {
     require_recorded(recording_, options_.times, err);
     const LiveViewOptions view = view_options(options_, recording_);
     begin_ = *view.data_start;

@@ -113,7 +113,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const OutputMailbox mailbox(out, err);
   const ConsoleSubject subject{.parameters = [&] { return engine.parameters(); },
                                .scripts = [&] { return edits.known(); },
-                               .running = [&] { return &engine.scripts(); }};
+                               .engine = [&] { return &engine; }};
   LiveConsole console(STDIN_FILENO, out, subject, history_path());
   const LiveViewPointer view = start_live_view(options.live, LiveLoad::light, subject, options.scripts, console, err);
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
