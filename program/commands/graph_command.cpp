@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `reorient graph`: state machines as pictures for Mermaid or Graphviz.
+// `reorient graph`: state machines as pictures for Mermaid or Graphviz, or as JSON.
 #include <algorithm>
 #include <initializer_list>
 #include <memory>
@@ -21,6 +21,7 @@
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/graph/machine_graph.h"
+#include "workbench/script_tools/graph/machine_json.h"
 
 namespace reorient {
 namespace {
@@ -117,7 +118,9 @@ int graph(const GraphOptions& options, std::ostream& out) {
   if (options.with_behaviors) scripts.add_behaviors_of_scenarios();
   const std::vector<MachineDefinition>& machines = scripts.machines();
   const std::vector<MachineLink> links = machine_links(machines, scripts.texts());
-  const std::string text = options.format == "dot" ? to_dot(machines, links) : to_mermaid(machines, links);
+  const std::string text = options.format == "dot"    ? to_dot(machines, links)
+                           : options.format == "json" ? to_json(machines, links, scripts.texts())
+                                                      : to_mermaid(machines, links);
   if (options.out.empty()) {
     out << text;
   } else {
@@ -131,16 +134,16 @@ int graph(const GraphOptions& options, std::ostream& out) {
 Subcommand add_graph(CLI::App& program) {
   const auto options = std::make_shared<GraphOptions>();
   CLI::App* const parser =
-      program.add_subcommand("graph", "draw the state machines of scripts as Mermaid or Graphviz")->fallthrough();
+      program.add_subcommand("graph", "draw the state machines of scripts as Mermaid, Graphviz or JSON")->fallthrough();
   set_examples(*parser, {{"reorient graph orientation", "states and transitions of a behavior"},
                          {"reorient graph kidnapped --with-behaviors", "a scenario and the behaviors it loads"}});
   parser->add_option("scripts", options->scripts, "names of behaviors and scenarios, or files, for one drawing")
       ->type_name("SCRIPT")
       ->required();
   parser->add_flag("--with-behaviors", options->with_behaviors, "draw the behaviors that a scenario loads, too");
-  parser->add_option("--format", options->format, "format: mermaid (shown by GitHub) or dot (Graphviz)")
+  parser->add_option("--format", options->format, "format: mermaid (shown by GitHub), dot (Graphviz) or json")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"mermaid", "dot"}))
+      ->check(CLI::IsMember({"mermaid", "dot", "json"}))
       ->capture_default_str();
   parser->add_option("--out", options->out, "file to write (default: the standard output)")->type_name("FILE");
   add_scripts_option(*parser, options->scripts_root, kPlainGroup);

@@ -64,6 +64,8 @@ TEST_F(CommandsTest, CheckRefusesAMissingPath) {
 TEST_F(CommandsTest, GraphDrawsABehaviorAndAScenario) {
   EXPECT_TRUE(run({"graph", "orientation"}).out.starts_with("stateDiagram-v2\n"));
   EXPECT_TRUE(run({"graph", "orientation", "--format", "dot"}).out.starts_with("digraph \"orientation\" {\n"));
+  EXPECT_TRUE(
+      run({"graph", "orientation", "--format", "json"}).out.starts_with("{\"machines\":[{\"name\":\"orientation\","));
   const ProgramRun scenario = run({"graph", "mirrored_placement"});
   EXPECT_NE(scenario.out.find("state \"carrying\" as mirrored_placement_carrying"), std::string::npos);
   EXPECT_EQ(scenario.out.find("watching"), std::string::npos) << "the behaviors of the scenario were not requested";

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/engine/script/script_fixture.h"
 #include "workbench/script_tools/graph/machine_graph.h"
+#include "workbench/script_tools/graph/machine_json.h"
 #include "workbench/script_tools/graph/script_sights.h"
 
 namespace reorient {
@@ -74,6 +76,41 @@ TEST_F(GraphTest, IsAGraphvizDigraphWithClusters) {
   drawn_down -> drawn_at_rest [label="after 2 s"];
 }
 )");
+}
+
+TEST_F(GraphTest, IsJsonWithIndexesOfStates) {
+  const nlohmann::json drawn = nlohmann::json::parse(machine_json(machine(), host().texts()));
+  EXPECT_EQ(drawn["name"], "drawn");
+  EXPECT_EQ(drawn["file"], "behaviors/drawn.lua");
+  std::vector<std::string> paths;
+  for (const auto& state : drawn["states"]) paths.push_back(state["path"]);
+  EXPECT_EQ(paths, (std::vector<std::string>{"", "at rest", "moving", "moving/slow", "moving/fast", "down"}));
+  EXPECT_EQ(drawn["states"][3]["outer"], 2);
+  EXPECT_EQ(drawn["states"][2]["initial"], 3);
+  EXPECT_EQ(drawn["states"][0]["initial"], 1);
+  const auto& fall = drawn["transitions"][0];
+  EXPECT_EQ(fall["from"], 0);
+  EXPECT_EQ(fall["to"], 5);
+  EXPECT_EQ(fall["common"], true);
+  EXPECT_EQ(fall["lasting"], "0.2 s");
+  EXPECT_EQ(fall["line"], 4);
+  EXPECT_EQ(fall["reason"], "the robot \"fell\": down");
+  EXPECT_EQ(fall["reads"], nlohmann::json({"robot.posture"}));
+  EXPECT_EQ(drawn["transitions"][1]["lasting"], "wait");
+  EXPECT_EQ(drawn["transitions"][2]["after"], "1 s");
+  EXPECT_EQ(drawn["transitions"][2]["when"], false);
+  const nlohmann::json all = nlohmann::json::parse(to_json({&machine(), 1}, {}, host().texts()));
+  EXPECT_EQ(all["machines"][0], drawn);
+  EXPECT_TRUE(all["links"].empty());
+}
+
+TEST_F(GraphTest, IsValidJsonAlsoOfInvalidText) {
+  load(
+      "odd",
+      R"(behavior "odd" { initial = "a", state "a" { { "b", after = 1, because = "\27[2J\xFF</script>" } }, state "b" {} })");
+  const nlohmann::json drawn =
+      nlohmann::json::parse(machine_json(*host().definitions().front(), host().texts()), nullptr, false);
+  EXPECT_EQ(drawn["transitions"][0]["reason"], "\x1B[2J\xEF\xBF\xBD</script>");
 }
 
 TEST_F(GraphTest, DistinguishesStatesWhoseNamesDifferInOneCharacter) {
