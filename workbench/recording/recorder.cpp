@@ -168,6 +168,7 @@ void Recorder::choose_views(const Item& item) {
   const bool begins = !item.state.empty();
   wanted_ = {Topic::costs, Topic::feature_fits};
   if (is_due(static_cast<std::uint64_t>(options_.particles_every))) wanted_ = wanted_ | Topics{Topic::pose_particles};
+  if (is_due(kConditionsEvery)) wanted_ = wanted_ | Topics{Topic::conditions};
   if (begins || is_due(kRoomEvery)) wanted_ = wanted_ | Topics{Topic::room};
   item_->has_wall = begins || is_due(kWallEvery);
   if (begins || is_due(kParametersEvery)) wanted_ = wanted_ | Topics{Topic::parameters};

@@ -105,9 +105,10 @@ class ViewerMessagesTest : public testing::Test {
 
 TEST_F(ViewerMessagesTest, FitTheirSchemasAndContainTheValuesOfTheRecord) {
   EXPECT_EQ(mistakes_, std::vector<std::string>());
-  for (const ViewerTopic topic : {ViewerTopic::transforms, ViewerTopic::pose, ViewerTopic::truth, ViewerTopic::percepts,
-                                  ViewerTopic::world, ViewerTopic::machines, ViewerTopic::request, ViewerTopic::costs,
-                                  ViewerTopic::pose_particles, ViewerTopic::upper_image, ViewerTopic::parameters})
+  for (const ViewerTopic topic :
+       {ViewerTopic::transforms, ViewerTopic::pose, ViewerTopic::truth, ViewerTopic::percepts, ViewerTopic::world,
+        ViewerTopic::machines, ViewerTopic::request, ViewerTopic::costs, ViewerTopic::conditions,
+        ViewerTopic::pose_particles, ViewerTopic::upper_image, ViewerTopic::parameters})
     EXPECT_GE(counts_[topic], 299) << info(topic).name;
   EXPECT_EQ(counts_[ViewerTopic::field], 1);
   EXPECT_EQ(counts_[ViewerTopic::upper_calibration], 1);
@@ -183,6 +184,25 @@ TEST(ViewerMessages, OmitNumbersThatAreNotFiniteAndCorrectInvalidText) {
   EXPECT_FALSE(messages[ViewerTopic::world]["pose"].contains("x"));
   EXPECT_EQ(messages[ViewerTopic::log]["message"], "note: caf\xef\xbf\xbd");
   EXPECT_EQ(messages[ViewerTopic::log]["name"], "note");
+}
+
+TEST(ViewerMessages, ContainOnlyTheDwellTimesThatAConditionHas) {
+  FrameRecord frame;
+  frame.filled = frame.filled | Topics{Topic::conditions};
+  frame.names = std::make_shared<NameTable>(NameTable{{"", "m", "a", "b", "why"}});
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  frame.conditions = {{1, 2, 3, 4, 7, WhenValue::yes, 0.1000004, 0.5, 1.2, 0.0},
+                      {1, 0, 3, 4, 8, WhenValue::none, 0.0, 0.0, 1.2, kUnknown},
+                      {1, 999, 3, 4, 9, WhenValue::failed, 0.0, 0.0, 0.0, 0.0}};
+  Json found;
+  ViewerMessages().add({frame, frame, {}, {}, true}, [&](ViewerTopic topic, std::string_view text) {
+    if (topic == ViewerTopic::conditions) found = Json::parse(text);
+  });
+  EXPECT_EQ(misfit(found, Json::parse(schema_text("reorient.Conditions"))), "");
+  EXPECT_EQ(found["conditions"], Json::parse(R"([
+    {"machine":"m","from":"a","target":"b","reason":"why","line":7,"when":"yes","held":0.1,"lasting":0.5},
+    {"machine":"m","from":"","target":"b","reason":"why","line":8,"when":"none","waited":1.2},
+    {"machine":"m","from":"","target":"b","reason":"why","line":9,"when":"failed"}])"));
 }
 
 TEST(ViewerTopics, HaveEachNameOnceAndASchema) {

@@ -150,6 +150,7 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
   copy_->begins = begins_ && is_shown(frames_ - 1, options_.every);
   const auto has = [&](ViewerTopic topic) { return topics.test(index_of(topic)); };
   if (has(ViewerTopic::costs)) wanted_ = wanted_ | Topics{Topic::costs};
+  if (has(ViewerTopic::conditions)) wanted_ = wanted_ | Topics{Topic::conditions};
   if (has(ViewerTopic::pose_particles)) wanted_ = wanted_ | Topics{Topic::pose_particles};
   if (has(ViewerTopic::wall) || has(ViewerTopic::room)) wanted_ = wanted_ | Topics{Topic::room};
   if (has(ViewerTopic::percepts)) wanted_ = wanted_ | Topics{Topic::feature_fits};

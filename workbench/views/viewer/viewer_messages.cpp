@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,34 @@ Json machines_json(const FrameRecord& frame) {
   }
   for (const NameId flag : frame.published) published.push_back(frame.name(flag));
   return {{"machines", std::move(machines)}, {"published", std::move(published)}};
+}
+
+/// Seconds, to the millisecond.
+double short_seconds(double seconds) { return 1e-3 * std::round(1e3 * seconds); }
+
+Json condition_json(const OpenCondition& condition, const FrameRecord& extra) {
+  constexpr const char* kResults[] = {"none", "not evaluated", "no", "yes", "failed"};
+  static_assert(std::size(kResults) == enum_count(WhenValue()));
+  Json json{{"machine", extra.name(condition.machine)},
+            {"from", extra.name(condition.from)},
+            {"target", extra.name(condition.target)},
+            {"reason", extra.name(condition.reason)},
+            {"line", condition.line},
+            {"when", kResults[static_cast<std::size_t>(condition.when)]}};
+  const auto add_dwell = [&](const char* so_far_name, double so_far, const char* needed_name, double needed) {
+    if (needed == 0.0) return;
+    json[so_far_name] = short_seconds(so_far);
+    if (std::isfinite(needed)) json[needed_name] = short_seconds(needed);
+  };
+  add_dwell("held", condition.held, "lasting", condition.lasting);
+  add_dwell("waited", condition.waited, "after", condition.after);
+  return json;
+}
+
+Json conditions_json(const FrameRecord& extra) {
+  Json all = Json::array();
+  for (const OpenCondition& condition : extra.conditions) all.push_back(condition_json(condition, extra));
+  return {{"conditions", std::move(all)}};
 }
 
 Json event_json(const TimelineEvent& event) {
@@ -189,6 +218,8 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
     send(ViewerTopic::pose_particles,
          [&] { return foxglove::poses_in_frame(time, kField, viewed.extra.pose_particles.particles); });
   }
+  if (viewed.extra.filled.has(Topic::conditions))
+    send(ViewerTopic::conditions, [&] { return conditions_json(viewed.extra); });
   if (viewed.extra.filled.has(Topic::costs))
     send(ViewerTopic::costs, [&] { return costs_json(viewed.extra, scene_truth); });
 

@@ -17,8 +17,8 @@
 namespace reorient {
 
 /// Topics of the record that are not always filled. Messages are made of them if they are.
-inline constexpr Topics kViewedTopics{Topic::pose_particles, Topic::room, Topic::parameters, Topic::costs,
-                                      Topic::feature_fits};
+inline constexpr Topics kViewedTopics{Topic::pose_particles, Topic::room,  Topic::conditions,
+                                      Topic::parameters,     Topic::costs, Topic::feature_fits};
 
 /// A frame to be shown. It must be valid only during the call.
 struct ViewedFrame {

@@ -29,13 +29,14 @@ enum class ViewerTopic {
   lower_annotations,
   world,
   machines,
+  conditions,
   events,
   request,
   log,
   costs,
   parameters
 };
-inline constexpr int kViewerTopicCount = 21;
+inline constexpr int kViewerTopicCount = 22;
 
 struct ViewerTopicInfo {
   ViewerTopic topic;
@@ -75,6 +76,9 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::world, "/world", "reorient.World",
      "world fields that behaviors read: pose, confidences, evidence, posture, game"},
     {ViewerTopic::machines, "/machines", "reorient.Machines", "state of each state machine; published flags"},
+    {ViewerTopic::conditions, "/conditions", "reorient.Conditions",
+     "possible transitions of each state machine, and how long their conditions have held; in recordings five times a "
+     "second"},
     {ViewerTopic::events, "/events", "reorient.Event", "a change of state or a command, with its reason and verdict"},
     {ViewerTopic::request, "/request", "reorient.Request", "requests of the behaviors to the robot"},
     {ViewerTopic::log, "/log", "foxglove.Log",
@@ -88,6 +92,8 @@ using ViewerTopics = std::bitset<kViewerTopicCount>;
 
 /// Frames between two messages of topics that change slowly or are large.
 inline constexpr std::uint64_t kParticlesEvery = 6, kRoomEvery = 6, kWallEvery = 30, kParametersEvery = 300;
+/// The same, of recordings only.
+inline constexpr std::uint64_t kConditionsEvery = 6;
 
 constexpr const ViewerTopicInfo& info(ViewerTopic topic) { return kViewerTopics[static_cast<std::size_t>(topic)]; }
 

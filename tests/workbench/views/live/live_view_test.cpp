@@ -176,7 +176,8 @@ TEST_F(ViewedRun, SendsEverySubscribedTopic) {
       ViewerTopic::transforms, ViewerTopic::pose,       ViewerTopic::pose_particles,    ViewerTopic::truth,
       ViewerTopic::field,      ViewerTopic::wall,       ViewerTopic::upper_image,       ViewerTopic::upper_calibration,
       ViewerTopic::world,      ViewerTopic::machines,   ViewerTopic::upper_annotations, ViewerTopic::request,
-      ViewerTopic::costs,      ViewerTopic::parameters, ViewerTopic::percepts,          ViewerTopic::room};
+      ViewerTopic::costs,      ViewerTopic::parameters, ViewerTopic::percepts,          ViewerTopic::room,
+      ViewerTopic::conditions};
   for (const ViewerTopic topic : topics) {
     subscribe(*viewer, {topic});
     sync(*viewer);
@@ -602,6 +603,36 @@ TEST_F(ViewedRun, IsTheSameWithAndWithoutViewers) {
     unviewed.add(alone.step());
   }
   EXPECT_EQ(viewed.digest().hex(), unviewed.digest().hex());
+}
+
+constexpr const char* kWaiting = R"(behavior "tested" {
+  initial = "dark",
+  state "dark" {
+    { "bright", when = function() return confidence.status == "usable" or robot.penalized end, lasting = 0.5, because = "light" },
+  },
+  state "bright" {},
+})";
+
+TEST_F(ViewedRun, SendsTheOpenTransitionsOfEachFrame) {
+  start();
+  loop.inputs.script_edits.push_back({"behaviors/tested.lua", ScriptText{kWaiting, ""}});
+  step();
+  const auto viewer = connect();
+  subscribe(*viewer, {ViewerTopic::conditions});
+  sync(*viewer);
+  step();
+  json open = await_data(*viewer, ViewerTopic::conditions)["conditions"];
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_EQ(open[0]["target"], "bright");
+  EXPECT_EQ(open[0]["when"], "no");
+  EXPECT_EQ(open[0]["lasting"], 0.5);
+  for (int i = 0; i < 4; ++i) {
+    loop.inputs.external.referee = RefereeState{.penalized = true};
+    step();
+    open = await_data(*viewer, ViewerTopic::conditions)["conditions"];
+  }
+  EXPECT_EQ(open[0]["when"], "yes");
+  EXPECT_NEAR(open[0]["held"], 3 * HandFedLoop::kStep, 1e-3);
 }
 
 TEST(LiveViewPage, ListsTheServicesAsTheyAre) {
