@@ -337,6 +337,16 @@ TEST_F(ScriptCheckTest, ChecksLibrariesScenariosAndTests) {
             "tests/a_test.lua:1:29: error: expect has no field 'stat' (did you mean 'state'?)\n");
 }
 
+TEST_F(ScriptCheckTest, ReportsAnUnknownGlobalOfTheOutermostLevelOnce) {
+  folder.write("behaviors/a.lua", "local x = confidense\nbehavior \"a\" {}\n");
+  folder.write("behaviors/b.lua", "nothing_like_it = 3\nbehavior \"b\" {}\n");
+  EXPECT_EQ(
+      findings(),
+      "behaviors/a.lua:1:11: error: unknown name 'confidense' (did you mean 'confidence'?)\n"
+      "behaviors/b.lua:1:1: error: unknown variable 'nothing_like_it': write 'local nothing_like_it', or keep { } "
+      "for values that survive a reload\n");
+}
+
 TEST_F(ScriptCheckTest, ReportsTwoBehaviorsWithTheSameName) {
   folder.write("behaviors/a.lua", "behavior \"a\" {}\n");
   folder.write("behaviors/b.lua", "behavior \"a\" {}\n");

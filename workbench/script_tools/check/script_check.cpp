@@ -2,6 +2,8 @@
 #include "workbench/script_tools/check/script_check.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -53,6 +55,22 @@ std::string file_of(std::string module) {
   return module.append(kExtension);
 }
 
+/// Lua reports an unknown global of a script that is loaded without its column, and the check of the text reports it
+/// with its column and a suggestion. `all`: in order.
+void drop_findings_without_column(std::vector<Finding>& all) {
+  const auto is_repeated = [&](const Finding& finding) {
+    return finding.position.column == 0 && finding.position.line > 0 &&
+           std::any_of(all.begin(), all.end(), [&](const Finding& other) {
+             return other.position.column > 0 && other.file == finding.file &&
+                    other.position.line == finding.position.line && other.severity == finding.severity &&
+                    other.message.starts_with(finding.message);
+           });
+  };
+  std::vector<Finding> kept;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(kept), std::not_fn(is_repeated));
+  all = std::move(kept);
+}
+
 class ScriptCheck {
  public:
   explicit ScriptCheck(TextsToCheck texts) : texts_(std::move(texts.scripts)), tests_(std::move(texts.tests)) {
@@ -74,6 +92,7 @@ class ScriptCheck {
     // A behavior that several scenarios load is reported once.
     all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return order(a) == order(b); }),
               all.end());
+    drop_findings_without_column(all);
     return std::move(result_);
   }
 
