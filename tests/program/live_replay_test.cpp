@@ -136,6 +136,8 @@ TEST_F(ReplayForViewers, AnswersWhileItIsPaused) {
   EXPECT_EQ(viewer->await_operation("parameterValues")["parameters"].size(), 1u);
   viewer->call(live::id_of(live::Service::note), 1, R"({"text":"x"})");
   EXPECT_NE(viewer->await_response(1).value("message", "").find("paused"), std::string::npos);
+  viewer->call(live::id_of(live::Service::machine), 2, R"({"machine":"orientation"})");
+  EXPECT_EQ(viewer->await_response(2)["machine"]["name"], "orientation");
 }
 
 }  // namespace

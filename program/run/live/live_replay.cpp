@@ -102,7 +102,7 @@ class LiveReplay {
                                             FrameInputs unchanged;
                                             return commands_.obey(words, unchanged);
                                           },
-                                          make_what_if(options_.live, LiveLoad::usual)});
+                                          [this] { return engine_; }, make_what_if(options_.live, LiveLoad::usual)});
     shown_.emplace(*view_, commands_);
   }
 

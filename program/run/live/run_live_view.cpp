@@ -24,10 +24,11 @@ void poll_without_robot(LiveView* live) {
 LiveViewPointer start_live_view(const LiveOptions& options, LiveLoad load, const ConsoleSubject& subject,
                                 const std::filesystem::path& scripts, LiveConsole& console, std::ostream& err) {
   if (!options.is_on) return nullptr;
-  LiveViewPointer live(new LiveView(
-      live_view_options(options, load),
-      live::LiveSubject{subject.scenario, subject.parameters, subject.kept_parameters, scripts,
-                        [&console](const Words& words) { return console.ask(words); }, make_what_if(options, load)}));
+  LiveViewPointer live(
+      new LiveView(live_view_options(options, load),
+                   live::LiveSubject{subject.scenario, subject.parameters, subject.kept_parameters, scripts,
+                                     [&console](const Words& words) { return console.ask(words); }, subject.engine,
+                                     make_what_if(options, load)}));
   print_link(*live, err);
   return live;
 }

@@ -33,7 +33,7 @@ std::string unknown_text(const std::vector<Parameter>& all, const std::string& n
 }  // namespace
 
 void FrameTasks::begin(FrameRequest request, FrameInputs& inputs) {
-  Pending pending{.to = std::move(request.to), .refused = {}, .changed = {}, .reply = {}, .failure = {}};
+  Pending pending{.to = std::move(request.to), .refused = {}, .changed = {}, .reply = {}, .machine = {}, .failure = {}};
   try {
     std::visit([&](auto&& task) { start(std::forward<decltype(task)>(task), pending, inputs); },
                std::move(request.task));
@@ -91,6 +91,22 @@ void FrameTasks::start(AskPrompt&& task, Pending& pending, FrameInputs& /*inputs
   pending.reply = subject_.ask(task.words);
 }
 
+void FrameTasks::start(DescribeMachine&& task, Pending& pending, FrameInputs& /*inputs*/) {
+  pending.reads_parameters = false;
+  pending.machine = std::move(task.name);
+}
+
+std::shared_ptr<const RunningMachine> FrameTasks::running_machine(const std::string& name) const {
+  const FrameLoop* const engine = subject_.engine ? subject_.engine() : nullptr;
+  if (engine == nullptr) throw std::runtime_error("expected a robot with behaviors, found none");
+  std::vector<std::string> names;
+  for (const MachineDefinition* const machine : engine->machines()) {
+    if (machine->name == name) return std::make_shared<const RunningMachine>(*machine, engine->scripts());
+    names.push_back(machine->name);
+  }
+  throw std::runtime_error("unknown machine '" + as_line(name) + "'" + did_you_mean(name, names));
+}
+
 Topics FrameTasks::wanted() const {
   const bool any = std::any_of(pending_.begin(), pending_.end(), [](const Pending& one) { return bool(one.reply); });
   return any ? Topics{Topic::conditions, Topic::costs} : Topics();
@@ -104,6 +120,13 @@ bool FrameTasks::complete(Pending& pending, const FrameRecord& frame, const Scen
       const std::optional<std::string> text = pending.reply(frame, scene);
       if (!text) return false;
       answer.text = *text;
+    } catch (const std::runtime_error& error) {
+      answer.failure = as_line(error.what());
+    }
+  }
+  if (pending.machine) {
+    try {
+      answer.machine = running_machine(*pending.machine);
     } catch (const std::runtime_error& error) {
       answer.failure = as_line(error.what());
     }
@@ -141,7 +164,15 @@ void FrameTasks::answer(const FrameRecord& frame, const SceneTruth& scene, std::
 
 FrameAnswer FrameTasks::refuse(const FrameRequest& request, const std::string& reason) const {
   FrameAnswer answer{.to = request.to};
-  if (!std::holds_alternative<ListParameters>(request.task)) answer.failure = reason;
+  if (const auto* const task = std::get_if<DescribeMachine>(&request.task)) {
+    try {
+      answer.machine = running_machine(task->name);
+    } catch (const std::runtime_error& error) {
+      answer.failure = as_line(error.what());
+    }
+  } else if (!std::holds_alternative<ListParameters>(request.task)) {
+    answer.failure = reason;
+  }
   answer.parameters = std::make_shared<const std::vector<Parameter>>(subject_.parameters());
   return answer;
 }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/frame.h"
 #include "engine/frame_inputs.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/views/live/requests.h"
@@ -27,7 +28,8 @@ struct LiveSubject {
   std::filesystem::path scripts;                                  ///< their root
   /// Executes a command of the prompt that changes nothing. Throws std::runtime_error with one line. May be empty.
   std::function<PromptReply(const std::vector<std::string>& words)> ask;
-  std::shared_ptr<WhatIf> what_if{};  ///< nullptr: the run keeps no frames
+  std::function<const FrameLoop*()> engine;  ///< that of the running behaviors; nullptr: no robot; may be empty
+  std::shared_ptr<WhatIf> what_if{};         ///< nullptr: the run keeps no frames
 };
 
 class FrameTasks {
@@ -40,7 +42,7 @@ class FrameTasks {
   void begin(FrameRequest request, FrameInputs& inputs);
   /// After the frame: appends the answers that are ready.
   void answer(const FrameRecord& frame, const SceneTruth& scene, std::vector<FrameAnswer>& answers);
-  /// Answers the request without a frame: only parameters can be listed, because `reason`.
+  /// Answers the request without a frame: only parameters and machines can be described, because `reason`.
   FrameAnswer refuse(const FrameRequest& request, const std::string& reason) const;
 
   std::size_t pending() const { return pending_.size(); }
@@ -59,6 +61,7 @@ class FrameTasks {
     std::vector<RequestedChange> changed;
     bool reads_parameters = true, reloads = false;
     PromptReply reply;
+    std::optional<std::string> machine;  // to be described
     std::string failure;
   };
 
@@ -68,6 +71,9 @@ class FrameTasks {
   void start(AddNote&& task, Pending& pending, FrameInputs& inputs);
   void start(ReloadScripts&& task, Pending& pending, FrameInputs& inputs);
   void start(AskPrompt&& task, Pending& pending, FrameInputs& inputs);
+  void start(DescribeMachine&& task, Pending& pending, FrameInputs& inputs);
+  /// Throws std::runtime_error if the machine is unknown.
+  std::shared_ptr<const RunningMachine> running_machine(const std::string& name) const;
   bool complete(Pending& pending, const FrameRecord& frame, const SceneTruth& scene, FrameAnswer& answer);
 
   LiveSubject subject_;

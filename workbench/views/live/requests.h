@@ -16,6 +16,7 @@
 
 #include "engine/parameters/parameter.h"
 #include "engine/record/frame_record.h"
+#include "engine/script/machine/machine_definition.h"
 #include "engine/script/script_output.h"
 #include "engine/script/script_texts.h"
 #include "workbench/run/observer.h"
@@ -45,7 +46,18 @@ struct ReloadScripts {
 struct AskPrompt {
   std::vector<std::string> words;
 };
-using FrameTask = std::variant<ListParameters, ChangeParameters, UndoChange, AddNote, ReloadScripts, AskPrompt>;
+/// The definition of a behavior's machine, as it runs.
+struct DescribeMachine {
+  std::string name;
+};
+using FrameTask =
+    std::variant<ListParameters, ChangeParameters, UndoChange, AddNote, ReloadScripts, AskPrompt, DescribeMachine>;
+
+/// A machine, and the texts of the scripts that declare it.
+struct RunningMachine {
+  MachineDefinition definition;
+  ScriptTexts texts;
+};
 
 /// Where the answer goes: a message with parameters, or the response of a service.
 struct AnswerAddress {
@@ -69,9 +81,10 @@ struct FrameAnswer {
   std::vector<ParameterChange> kept{};                         ///< of scripts that are not loaded
   std::vector<ParameterOutcome> outcomes{};
   std::vector<ReloadRecord> reloads{};
-  std::string text{};     ///< of the prompt
-  std::string backup{};   ///< of the file that was replaced; empty: none
-  std::string failure{};  ///< one line; empty: it succeeded
+  std::shared_ptr<const RunningMachine> machine{};  ///< nullptr: not requested
+  std::string text{};                               ///< of the prompt
+  std::string backup{};                             ///< of the file that was replaced; empty: none
+  std::string failure{};                            ///< one line; empty: it succeeded
 };
 
 /// A bounded queue between two threads.

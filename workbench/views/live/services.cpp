@@ -9,6 +9,7 @@
 #include "engine/parameters/utf8.h"
 #include "robots/robot.h"
 #include "workbench/files/parameter_file.h"
+#include "workbench/script_tools/graph/machine_json.h"
 #include "workbench/views/live/protocol/client_json.h"
 
 namespace reorient::live {
@@ -147,6 +148,8 @@ FrameTask read_service_request(const ServiceRow& row, const std::string& payload
       return AskPrompt{{"states"}};
     case Service::why:
       return AskPrompt{{"why", short_word(request.text("machine"))}};
+    case Service::machine:
+      return DescribeMachine{short_word(request.text("machine"))};
     case Service::world: {
       const std::string pattern = short_word(request.text_or_empty("pattern"));
       return pattern.empty() ? AskPrompt{{"world"}} : AskPrompt{{"world", pattern}};
@@ -183,6 +186,9 @@ std::string service_answer(const ServiceRow& row, const FrameAnswer& answer) {
       return dumped({{"file", answer.to.file}, {"backup", answer.backup}});
     case Service::reload:
       return dumped(reloads_json(answer));
+    case Service::machine:
+      return "{\"time\":" + dumped(answer.time) +
+             ",\"machine\":" + machine_json(answer.machine->definition, answer.machine->texts) + "}";
     default:
       return dumped({{"text", as_utf8(answer.text)}});
   }

@@ -76,6 +76,7 @@ class ViewedRun : public ::testing::Test {
       if (words.back() == "unknown") throw std::runtime_error("unknown machine 'unknown'");
       return [words](const FrameRecord&, const SceneTruth&) { return words.front() + " answered"; };
     };
+    subject.engine = [this] { return &*loop.engine; };
     subject.what_if = what_if;
     live.emplace(options, subject);
     const std::string link = live->link();
@@ -613,6 +614,31 @@ constexpr const char* kWaiting = R"(behavior "tested" {
   state "bright" {},
 })";
 
+TEST_F(ViewedRun, DescribesAMachineAsItRuns) {
+  start();
+  step();
+  const auto viewer = connect(false);
+  std::uint32_t call = 0;
+  const auto described = [&] {
+    viewer->call(id_of(Service::machine), ++call, R"({"machine":"tested"})");
+    sync(*viewer);
+    step();
+    return viewer->await_response(call);
+  };
+  EXPECT_TRUE(described()["machine"]["transitions"].empty());
+  folder.write("scripts/behaviors/tested.lua", "-- not what runs");
+  loop.inputs.script_edits.push_back({"behaviors/tested.lua", ScriptText{kWaiting, ""}});
+  step();
+  const json answer = described();
+  EXPECT_NEAR(answer["time"], loop.world().time, 1e-9);
+  const json machine = answer["machine"];
+  EXPECT_EQ(machine["states"].size(), 3u);
+  ASSERT_EQ(machine["transitions"].size(), 1u);
+  EXPECT_EQ(machine["transitions"][0]["line"], 4);
+  EXPECT_EQ(machine["transitions"][0]["lasting"], "0.5 s");
+  EXPECT_EQ(machine["transitions"][0]["reads"], json({"confidence.status", "robot.penalized"}));
+}
+
 TEST_F(ViewedRun, SendsTheOpenTransitionsOfEachFrame) {
   start();
   loop.inputs.script_edits.push_back({"behaviors/tested.lua", ScriptText{kWaiting, ""}});
@@ -633,6 +659,44 @@ TEST_F(ViewedRun, SendsTheOpenTransitionsOfEachFrame) {
   }
   EXPECT_EQ(open[0]["when"], "yes");
   EXPECT_NEAR(open[0]["held"], 3 * HandFedLoop::kStep, 1e-3);
+}
+
+TEST_F(ViewedRun, DescribesNoMachineWithAHostileName) {
+  start();
+  step();
+  const auto viewer = connect(false);
+  std::uint32_t call = 0;
+  const auto refusal = [&](const std::string& payload, bool needs_frame) {
+    viewer->call(id_of(Service::machine), ++call, payload);
+    if (needs_frame) {
+      sync(*viewer);
+      step();
+    }
+    const json refused = viewer->await_response(call);
+    EXPECT_EQ(refused.value("op", ""), "serviceCallFailure") << payload;
+    return refused.value("message", "");
+  };
+  for (const char* payload : {"", "{", "[]", "{}", R"({"machine":3})", R"({"machine":null})"})
+    EXPECT_NE(refusal(payload, false), "") << payload;
+  for (const char* name : {"", "testd", "../tested", "tested\\u0000", "\\u001b[2J\\nx"}) {
+    const std::string reason = refusal(std::string(R"({"machine":")") + name + "\"}", true);
+    EXPECT_TRUE(reason.starts_with("unknown machine '")) << reason;
+    EXPECT_EQ(reason.find_first_of("\n\x1b"), std::string::npos) << reason;
+  }
+  EXPECT_NE(refusal(json{{"machine", std::string(5000, 'x')}}.dump(), false).find("at most 100 bytes"),
+            std::string::npos);
+}
+
+TEST_F(ViewedRun, DescribesAMachineAlsoWithoutFrames) {
+  start();
+  step();
+  const auto viewer = connect(false);
+  viewer->call(id_of(Service::machine), 1, R"({"machine":"tested"})");
+  viewer->call(id_of(Service::machine), 2, R"({"machine":"unknown"})");
+  sync(*viewer);
+  live->poll_without_frames("the replay is paused; play it first");
+  EXPECT_EQ(viewer->await_response(1)["machine"]["name"], "tested");
+  EXPECT_NE(viewer->await_response(2).value("message", "").find("unknown machine"), std::string::npos);
 }
 
 TEST(LiveViewPage, ListsTheServicesAsTheyAre) {
