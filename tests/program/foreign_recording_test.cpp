@@ -300,6 +300,10 @@ TEST_F(ForeignRecording, WithTheStateFilteredOutGivesTables) {
   EXPECT_EQ(replayed.code, 2);
   EXPECT_NE(replayed.err.find("expected frames that can be replayed from there, found none"), std::string::npos)
       << replayed.err;
+  const ProgramRun live = run_reorient({"replay", foreign, "--live", "0"});
+  EXPECT_EQ(live.code, 2);
+  EXPECT_NE(live.err.find("expected frames that can be replayed from there, found none"), std::string::npos);
+  EXPECT_EQ(live.err.find("live view: http"), std::string::npos) << "no link to a view that ends at once";
   EXPECT_EQ(run_reorient({"recording", "recover", foreign, "--out", file("whole.mcap")}).code, 0);
 }
 

@@ -109,12 +109,15 @@ class LiveReplay {
   LiveView& view() { return *view_; }
   const Recording& recording() const { return recording_; }
 
-  void run() {
+  /// The first frame. Throws std::runtime_error with one line.
+  void begin() {
     seek(begin_);
     if (engine_ == nullptr)
       throw std::runtime_error(options_.file.string() +
                                ": expected frames that can be replayed from there, found none; see 'reorient recording "
                                "info'");
+  }
+  void run() {
     while (!is_interrupted()) {
       take_controls();
       report_sometimes();
@@ -246,6 +249,7 @@ class LiveReplay {
 
 int replay_live(const LiveReplayOptions& options, std::ostream& out, std::ostream& err) {
   LiveReplay replay(options, err);
+  replay.begin();
   print_link(replay.view(), err);
   err << "reorient: the replay stays at its end for viewers; Ctrl-C ends it\n" << std::flush;
   replay.run();
