@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// browser_test.mjs RECORDING PARAMETERS: uses the page in chromium (CHROMIUM) while the stand-in for the robot replays
+// browser_test.mjs RECORDING PARAMETERS MACHINES: uses the page in chromium (CHROMIUM) while the stand-in for the robot replays
 // a recording. Each test waits until something is seen, never for a fixed time.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -11,7 +11,7 @@ import { parseParameters, readRecording } from "../../../workbench/views/live/pa
 import { Robot } from "../../../workbench/views/live/page/dev/robot.mjs";
 import { PATIENCE, launch, openPage, untilListed } from "./browser.mjs";
 
-const [file, parametersFile] = process.argv.slice(2);
+const [file, parametersFile, machinesFile] = process.argv.slice(2);
 const folder = join(dirname(fileURLToPath(import.meta.url)), "../../../workbench/views/live/page/built");
 const SCRIPT = "behaviors/orientation.lua";
 
@@ -25,7 +25,8 @@ before(async () => {
     [SCRIPT, 'behavior "orientation" {}\n'],
     ["lib/decision.lua", "return {}\n"],
   ]);
-  robot = new Robot({ recording, folder, parameters, from: 38, loop: false, scripts });
+  const { machines } = JSON.parse(readFileSync(machinesFile, "utf8"));
+  robot = new Robot({ recording, folder, parameters, from: 38, loop: false, scripts, machines });
   await robot.start();
   browser = await launch();
   page = await open({ viewport: { width: 1366, height: 768 } });
@@ -85,7 +86,84 @@ test("the flip of the recording is a transition with its reason, and its instant
   assert.match(await flip.innerText(), /the mirrored pose won/);
   await flip.locator(".time").click();
   await page.getByText("The robot noticed that its believed pose was mirrored").waitFor();
+});
+
+const behaviorsPanel = () => page.locator("[data-panel=behaviors]");
+const state = (path) => behaviorsPanel().locator(`.box[aria-label^="${path}"]`);
+
+test("at the instant of the flip the graph marks the active state and the transition to it", async () => {
+  await behaviorsPanel().locator(".box.active", { hasText: "correcting" }).waitFor();
+  assert.equal(await behaviorsPanel().locator(".arrow.last").count(), 1);
+  assert.match(await behaviorsPanel().locator(".arrow.last title").innerHTML(), /→ correcting: the mirrored pose won/);
+  await behaviorsPanel().getByRole("heading", { name: "Transitions from correcting" }).waitFor();
+});
+
+test("open transitions show their dwell time and the values of the shown instant", async () => {
+  const rows = behaviorsPanel().locator(".transition");
+  const wait = rows.filter({ hasText: "after min_time" });
+  assert.match(await wait.locator(".dwell .value").innerText(), /^\d\.\d\d of 3\.00 s$/);
+  const purge = rows.filter({ hasText: "the flip also mirrored correct particles" });
+  const shown = await purge.locator(".reads > div", { hasText: "confidence.evidence" }).locator("dd").innerText();
+  await page.keyboard.press("6");
+  const evidence = page.locator(".values tr", { hasText: "confidence.evidence" }).locator(".value");
+  assert.equal(shown, await evidence.innerText());
+  await page.keyboard.press("4");
+  await rows.first().waitFor();
+});
+
+test("a click on a state lists its transitions, and Escape leads back step by step", async () => {
+  await state("watching › confirmed").click();
+  await behaviorsPanel().getByRole("heading", { name: "Transitions from watching › confirmed (not active)" }).waitFor();
+  const rows = behaviorsPanel().locator(".transition");
+  assert.deepEqual(await rows.locator(".target").allInnerTexts(), [
+    "→ lifted",
+    "→ fallen",
+    "→ purging",
+    "→ correcting",
+    "→ watching › unconfirmed",
+  ]);
+  assert.match(await rows.nth(2).innerText(), /must hold for hold_time \(0\.2 s\)/);
+  assert.equal(await behaviorsPanel().locator(".arrow.numbered").count(), 5);
+  await page.keyboard.press("Escape");
+  await behaviorsPanel().getByRole("heading", { name: "Transitions from correcting" }).waitFor();
+  await page.keyboard.press("Escape");
+  await behaviorsPanel().locator(".machine").nth(4).waitFor();
+  await until(() => document.activeElement.textContent === "orientation");
   await page.keyboard.press("l");
+});
+
+test("behaviors, their states and their graph are used with the keyboard", async () => {
+  await behaviorsPanel().locator(".machine .name", { hasText: "head scan" }).focus();
+  await page.keyboard.press("Enter");
+  await until(() => document.activeElement.textContent === "head scan");
+  await state("walls to the left").focus();
+  await page.keyboard.press(" ");
+  await until(() => document.querySelector(".box[aria-pressed=true]") || document.querySelector(".box.active:focus"));
+  await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
+  await behaviorsPanel().getByRole("button", { name: "graph" }).click();
+  await behaviorsPanel().locator("svg").waitFor({ state: "detached" });
+  await behaviorsPanel().getByRole("button", { name: "graph" }).click();
+  await behaviorsPanel().locator("svg").waitFor();
+});
+
+test("the panel keeps its layout while frames arrive", async () => {
+  await page.keyboard.press("Escape");
+  if (await behaviorsPanel().locator(".machine").count() === 0) await page.keyboard.press("Escape");
+  await behaviorsPanel().locator(".machine .name", { hasText: /^get up$/ }).click();
+  await behaviorsPanel().locator("svg").waitFor();
+  const positions = () =>
+    behaviorsPanel().evaluate((panel) =>
+      [...panel.querySelectorAll(".box, .transition, .reads dd, h3")].map((it) => {
+        const { x, y, width, height } = it.getBoundingClientRect();
+        return it.matches("dd") ? [y, height] : [x, y, width, height];
+      }),
+    );
+  const before = await positions();
+  assert.ok(before.length > 5);
+  const shown = await shownTime();
+  await until((was) => document.querySelector(".connection .value").textContent !== was, shown);
+  assert.deepEqual(await positions(), before);
+  await behaviorsPanel().getByRole("button", { name: "Show all behaviors" }).click();
 });
 
 test("a slider sends setParameters, and undo sets the value before", async () => {
@@ -263,6 +341,41 @@ test("revert shows the text of the disk, and undo the edit", async () => {
   await scriptsPanel().getByRole("button", { name: "‹ Scripts" }).click();
   await page.keyboard.press("1");
   await untilDrawn("[data-panel=field] canvas", 100);
+});
+
+test("an edit that is running changes the graph, and past instants keep the one of then", async () => {
+  await page.keyboard.press("4");
+  await behaviorsPanel().locator(".machine .name", { hasText: /^get up$/ }).click();
+  await behaviorsPanel().locator("svg").waitFor();
+  const shown = Number.parseFloat(await shownTime());
+  const i = robot.machines.findIndex(({ name }) => name === "get_up");
+  const edited = structuredClone(robot.machines[i]);
+  edited.states.push({ ...edited.states.at(-1), path: "resting", name: "resting" });
+  robot.machines[i] = edited;
+  robot.log(2, "behaviors/get_up.lua", "the edit is running");
+  await state("resting").waitFor();
+  await page.evaluate(() => document.querySelector("#pause").click());
+  for (let step = 0; step < 100 && (await state("resting").count()) > 0; ++step) await page.keyboard.press("Shift+ArrowLeft");
+  assert.equal(await state("resting").count(), 0);
+  assert.ok(Number.parseFloat(await shownTime()) < shown + 10);
+  await page.keyboard.press("l");
+  await state("resting").waitFor();
+  await behaviorsPanel().getByRole("button", { name: "Show all behaviors" }).click();
+});
+
+test("a click on a fault opens the script at its line", async () => {
+  const orientation = { name: "orientation", state: "lifted", seconds: 1, stopped: true, errors: 3 };
+  robot.log(4, "note", `${SCRIPT}:1: attempt to index a nil value`, SCRIPT, 1);
+  robot.broadcast("/machines", { machines: [orientation], published: [] });
+  await page.keyboard.press("7");
+  await page.locator(".log li", { hasText: "attempt to index a nil value" }).locator(".time").click();
+  await page.keyboard.press("4");
+  await behaviorsPanel().locator(".fault", { hasText: `${SCRIPT}:1` }).getByRole("button").click();
+  await page.locator("[data-panel=scripts] .script-name", { hasText: SCRIPT }).waitFor();
+  await page.locator("[data-panel=scripts] .cm-content").waitFor();
+  await page.locator("[data-panel=scripts]").getByRole("button", { name: "‹ Scripts" }).click();
+  await page.keyboard.press("1");
+  await page.keyboard.press("l");
 });
 
 test("drops that the robot reports are shown", async () => {

@@ -101,6 +101,47 @@ test("a note is answered by the run", async () => {
   await page.locator("[data-panel=notes]").getByText("a note of the test").first().waitFor();
 });
 
+const panel = (name) => page.locator(`[data-panel=${name}]`);
+
+test("the open transitions of orientation show the values of the frame", async () => {
+  await page.keyboard.press("Escape"); // leaves the box
+  await page.keyboard.press("4");
+  await panel("behaviors").locator(".machine .name", { hasText: /^orientation$/ }).click();
+  await panel("behaviors").locator("svg .box.active").first().waitFor();
+  await page.keyboard.press(" ");
+  await page.getByText("View paused").waitFor();
+  const rows = panel("behaviors").locator(".transition");
+  assert.match(await rows.first().innerText(), /→ lifted\s+no/);
+  const shown = await panel("behaviors").locator(".reads > div").evaluateAll((all) =>
+    all.map((it) => [it.querySelector("dt").textContent, it.querySelector("dd").textContent]),
+  );
+  assert.ok(shown.some(([name]) => name === "confidence.evidence"), "also of functions of libraries");
+  await page.keyboard.press("6");
+  await panel("world").locator(".values tr").nth(20).waitFor();
+  const world = new Map(
+    await panel("world").locator(".values tr").evaluateAll((all) =>
+      all.map((it) => [it.querySelector("code").textContent, it.querySelector(".value").textContent]),
+    ),
+  );
+  assert.deepEqual(shown, shown.map(([name]) => [name, world.get(name)]));
+  await page.keyboard.press("l");
+});
+
+test("the lines of the open transitions follow an edit", async () => {
+  await page.keyboard.press("4");
+  const line = panel("behaviors").locator(".transition .place").first();
+  const before = Number((await line.innerText()).replace("line ", ""));
+  const file = join(scripts, "behaviors/orientation.lua");
+  writeFileSync(file, `-- one more line\n${readFileSync(file, "utf8")}`);
+  await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().waitFor();
+  await panel("behaviors").locator(".arrow.numbered").first().waitFor();
+  await line.click();
+  await page.locator("[data-panel=scripts] .cm-activeLine", { hasText: '"lifted"' }).waitFor();
+  await page.keyboard.press("1");
+  await page.keyboard.press("4");
+  await page.getByRole("button", { name: "Show all behaviors" }).click();
+});
+
 test("a broken edit and its fix are shown while the run continues", async () => {
   const file = join(scripts, "behaviors/head_scan.lua");
   const good = readFileSync(file, "utf8");

@@ -11,7 +11,16 @@ const { WebSocketServer } = load("ws");
 
 const SUBPROTOCOL = "foxglove.websocket.v1";
 const LASTING = new Set(["/field", "/wall", "/room", "/parameters", "/camera/upper/calibration", "/camera/lower/calibration"]);
-const SERVICES = ["parameter_list", "set_parameters", "note", "scripts", "script", "check_script", "save_script"];
+const SERVICES = [
+  "parameter_list",
+  "set_parameters",
+  "note",
+  "scripts",
+  "script",
+  "check_script",
+  "save_script",
+  "machine",
+];
 const POLICY = [
   "default-src 'none'",
   "script-src 'self'",
@@ -47,7 +56,7 @@ function findingsIn(file, text) {
 export class Robot {
   /// `folder`: that of the built page; `speed`: times real time; `from`: s of the recording at which it starts; `loop`:
   /// after the recording another run begins, otherwise the robot stands still; `refusal`: why clients may change
-  /// nothing; `scripts`: texts by name.
+  /// nothing; `scripts`: texts by name; `machines`: definitions, as `reorient graph --format json` prints them.
   constructor({
     recording,
     folder,
@@ -57,8 +66,9 @@ export class Robot {
     loop = true,
     refusal = "",
     scripts = new Map(),
+    machines = [],
   }) {
-    Object.assign(this, { recording, folder, parameters, speed, from, loop, refusal, scripts });
+    Object.assign(this, { recording, folder, parameters, speed, from, loop, refusal, scripts, machines });
     this.byName = new Map(parameters.map((it) => [it.name, { ...it }]));
     this.topics = new Map(recording.channels.map((it) => [it.id, it.topic]));
     this.session = 1;
@@ -194,6 +204,7 @@ export class Robot {
       script: () => ({ file: request.file, text: this.textOf(request.file) }),
       check_script: () => ({ findings: findingsIn(request.file, request.text) }),
       save_script: () => this.saveScript(request),
+      machine: () => ({ time: 1e-9 * Number(this.now), machine: this.machineOf(request.machine) }),
     };
     let answer;
     try {
@@ -216,6 +227,12 @@ export class Robot {
   textOf(file) {
     if (!this.scripts.has(file)) throw new Error(`unknown script '${file}'`);
     return this.scripts.get(file);
+  }
+
+  machineOf(name) {
+    const found = this.machines.find((it) => it.name === name);
+    if (!found) throw new Error(`unknown machine '${name}'`);
+    return found;
   }
 
   /// Saves a script that is still the expected one. The log has the result of the reload.
@@ -265,8 +282,10 @@ export class Robot {
   standStill() {
     if (this.now - (this.stoodAt ?? 0n) < FRAME) return;
     this.stoodAt = this.now;
-    for (const topic of ["/world", "/machines"]) {
-      const { channel, data } = this.recording.messages.findLast((it) => this.topics.get(it.channel) === topic);
+    for (const topic of ["/world", "/machines", "/conditions"]) {
+      const last = this.recording.messages.findLast((it) => this.topics.get(it.channel) === topic);
+      if (!last) continue; // a recording of an earlier version
+      const { channel, data } = last;
       for (const [socket, { subscriptions }] of this.clients)
         if (subscriptions.has(channel)) this.send(socket, subscriptions.get(channel), this.now, data);
     }

@@ -4,7 +4,7 @@
 
 export const IMAGE_TOPICS = ["/camera/upper/image", "/camera/lower/image"];
 const IMAGES = [...IMAGE_TOPICS, "/camera/upper/annotations", "/camera/lower/annotations"];
-const DETAILS = ["/percepts", "/belief/particles", "/wall", "/room", "/costs"];
+const DETAILS = ["/percepts", "/belief/particles", "/wall", "/room", "/costs", "/conditions"];
 
 /// What to thin, in this order: topics, and the smallest time in s between two of their messages.
 const STEPS = [

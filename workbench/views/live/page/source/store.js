@@ -13,6 +13,7 @@ export const TOPICS = [
   "/truth/pose",
   "/world",
   "/machines",
+  "/conditions",
   "/events",
   "/request",
   "/log",
@@ -79,6 +80,7 @@ export class Store {
 
   /// Forgets everything that was received, for example because another run began.
   clear() {
+    this.run = (this.run ?? 0) + 1; // what belongs to the data of before is not valid any more
     this.frames = [];
     this.size = 0;
     this.events = [];

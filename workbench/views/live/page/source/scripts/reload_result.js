@@ -5,6 +5,9 @@ const ACCEPTED = "the edit is running";
 const REJECTED = "edit rejected; keeping the previous version: ";
 const ERROR = 4; // level of the log
 
+/// Whether a line of the log says that an edit is running.
+export const isAccepted = ({ message }) => message === ACCEPTED;
+
 /// A fault as a finding of its file: {file, line, column, severity, message}.
 export function findingOf(text, file = "", line = 0) {
   const match = /^(\S+?\.lua):(\d+)(?::(\d+))?: (.*)$/s.exec(text);
