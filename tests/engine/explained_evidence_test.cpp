@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a record says, on request, about the reasons of a belief: the evidence of each tile and the fit of each feature.
+// The reasons of a belief in a record, on request: the evidence of each tile and the fit of each feature.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
