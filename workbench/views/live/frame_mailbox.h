@@ -45,9 +45,15 @@ class FrameMailbox {
   /// Drops the oldest frame if it is full.
   void add(std::unique_ptr<FrameCopy> copy) {
     if (waiting_.size() == kMostWaiting) {
-      // A frame that begins something is needed later, so the next one begins it.
+      // A frame that begins something is needed later, so the next one begins it, with the messages of a begin.
       FrameCopy& next = waiting_.size() > 1 ? *waiting_[1] : *copy;
-      next.begins = next.begins || waiting_.front()->begins;
+      const FrameCopy& dropped = *waiting_.front();
+      next.begins = next.begins || dropped.begins;
+      for (const ViewerTopic topic :
+           {ViewerTopic::field, ViewerTopic::upper_calibration, ViewerTopic::lower_calibration}) {
+        const auto index = static_cast<std::size_t>(topic);
+        if (dropped.begins && dropped.topics.test(index)) next.topics.set(index);
+      }
       give_back(std::move(waiting_.front()));
       waiting_.pop_front();
       ++dropped_;

@@ -203,6 +203,25 @@ TEST_F(ViewedRun, SendsLastingMessagesToLateSubscribersAtOnce) {
   EXPECT_TRUE(await_data(*second, ViewerTopic::field).is_object()) << "without another frame";
 }
 
+TEST(FrameMailbox, PassesTheMessagesOfABeginOnIfTheFrameIsDropped) {
+  FrameMailbox mailbox;
+  const auto add = [&](bool begins) {
+    std::unique_ptr<FrameCopy> copy = mailbox.get_free();
+    copy->begins = begins;
+    copy->topics.reset().set(static_cast<std::size_t>(ViewerTopic::world));
+    if (begins) copy->topics.set(static_cast<std::size_t>(ViewerTopic::field));
+    mailbox.add(std::move(copy));
+  };
+  add(true);
+  for (std::size_t i = 0; i < 2 * FrameMailbox::kMostWaiting; ++i) add(false);
+  EXPECT_EQ(mailbox.dropped(), FrameMailbox::kMostWaiting + 1);
+  const std::unique_ptr<FrameCopy> first = mailbox.take(), second = mailbox.take();
+  EXPECT_TRUE(first->begins);
+  EXPECT_TRUE(first->topics.test(static_cast<std::size_t>(ViewerTopic::field)));
+  EXPECT_FALSE(second->begins);
+  EXPECT_FALSE(second->topics.test(static_cast<std::size_t>(ViewerTopic::field)));
+}
+
 TEST_F(ViewedRun, SendsEventsOfAllFramesAlsoIfItShowsSome) {
   start({.every = 1000});
   step();
