@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one loop around the engine: robot, inputs, step, scenario, observers, pace, stop.
+// The one loop around the engine: robot, requests of the user, inputs, step, scenario, observers, pace, stop.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "engine/frame.h"
 #include "robots/robot_instance.h"
 #include "workbench/run/observer.h"
+#include "workbench/run/run_controls.h"
 #include "workbench/run/run_end.h"
 #include "workbench/scenario/scenario_host.h"
 
@@ -20,6 +20,8 @@ class InputSource {
  public:
   virtual ~InputSource() = default;
   virtual void add_to(FrameInputs& inputs) = 0;
+  /// While the run is paused, instead of add_to() and more than once for each frame. `last`, `scene`: the last frame.
+  virtual void add_while_paused(FrameInputs& /*inputs*/, const FrameRecord& /*last*/, const SceneTruth& /*scene*/) {}
 };
 
 /// All parts must outlive the loop.
@@ -30,33 +32,39 @@ struct RunParts {
   RecordedBehaviors* behaviors = nullptr;  ///< the view of them for the scenario
   std::vector<InputSource*> sources;
   std::vector<Observer*> observers;
-  std::function<bool()> stop;  ///< called after each frame; may be empty
-  double longest = 0.0;        ///< s of the robot's time, from its first frame; 0: no limit
-  bool in_real_time = false;   ///< waits for the wall clock if the robot does not
+  std::function<bool()> stop;       ///< called after each frame; may be empty
+  double longest = 0.0;             ///< s of the robot's time, from its first frame; 0: no limit
+  bool in_real_time = false;        ///< waits for the wall clock if the robot does not
+  RunControls* controls = nullptr;  ///< requests of the user; nullptr: no user
 };
 
 class RunLoop {
  public:
   explicit RunLoop(RunParts parts);
 
-  /// Runs one frame. Nothing: the run continues.
+  /// Runs one frame, also if the run is paused. Nothing: the run continues.
   std::optional<RunEnd> step();
-  /// Runs until the end, then notifies the observers.
+  /// Runs until the end, with its pauses, then notifies the observers.
   RunEnd run();
 
   const SceneTruth& scene() const { return scene_; }
 
  private:
   std::optional<RunEnd> is_over() const;
+  std::optional<RunEnd> rest();
+  void carry_out_requests();
   void play_scenario();
-  void wait() const;
+  void show_requests();
+  void wait();
 
   RunParts parts_;
   FrameInputs inputs_;
   SceneTruth scene_;
   bool any_frame_ = false;
-  double first_time_ = 0.0;  // s, of the robot's first frame
-  std::chrono::steady_clock::time_point start_;
+  double first_time_ = 0.0;                  // s, of the robot's first frame
+  RunPace real_time_;                        // without RunParts::controls
+  std::vector<RunControls::Issued> issued_;  // carried out just before this frame
+  std::vector<OperatorAction> actions_;      // the actions of these
 };
 
 }  // namespace reorient
