@@ -74,6 +74,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
   robot_options.change = belief_change_of(options);
   PreparedFootage prepared = prepare_footage(setup, edits.texts());
   const RobotBody body = prepared.frame.body;
+  const FieldDimensions field = prepared.frame.field;
   auto robot = std::make_unique<FootageRobot>(open_footage(setup.source, setup.footage, body), robot_options);
   FootageRobot& itself = *robot;
   RobotInstance instance{std::move(robot), body, RobotInstance::Clock::simulated, nullptr, &itself};
@@ -109,6 +110,7 @@ int run_footage(const RunOptions& options, std::ostream& out, std::ostream& err)
                                    .kept_parameters = [&] { return prepared.kept; },
                                    .scripts = [&] { return edits.known(); },
                                    .engine = [&] { return &engine; }},
+                       .field = field,
                        .failure = failure},
                       {{}, {}, verdict}, out, err);
 }

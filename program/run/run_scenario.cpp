@@ -20,10 +20,12 @@
 #include "program/run/simulation.h"
 #include "program/safe_output.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/field_file.h"
 #include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/run/digest_observer.h"
 #include "workbench/run/frame_times.h"
+#include "workbench/run/run_controls.h"
 #include "workbench/run/run_summary.h"
 #include "workbench/views/pictures/run_pictures.h"
 
@@ -52,6 +54,11 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   RunPictures pictures;
   std::optional<OutputMailbox> mailbox;
   if (options.realtime) mailbox.emplace(out, err);
+  const RobotInstance& robot = run.live.parts.robot;
+  RunControls controls(robot.the_operator != nullptr && robot.truth != nullptr,
+                       options.realtime && robot.clock == RobotInstance::Clock::simulated);
+  if (run.field) controls.set_field(*run.field);
+  run.subject.controls = &controls;
   LiveConsole console(STDIN_FILENO, out, run.subject, history_path());
   const LiveViewPointer view =
       start_live_view(options.live, LiveLoad::usual, run.subject, options.scripts, console, err);
@@ -63,6 +70,7 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   if (options.pictures) parts.observers.push_back(&pictures);
   parts.observers.insert(parts.observers.end(), guests.observers.begin(), guests.observers.end());
   parts.in_real_time = options.realtime;
+  parts.controls = &controls;
   parts.stop = guests.stop;
   if (options.realtime && isatty(STDIN_FILENO) == 1)
     err << "saved scripts are reloaded at once; Enter opens a prompt (help lists its commands)\n";
@@ -127,7 +135,8 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                                    .parameters = [&] { return simulation.parameters(); },
                                    .kept_parameters = [&] { return simulation.kept_parameters(); },
                                    .scripts = [&] { return edits->known(); },
-                                   .engine = [&] { return &simulation.engine(); }}},
+                                   .engine = [&] { return &simulation.engine(); }},
+                       .field = load_field(simulation.venue().field)},
                       guests, out, err);
 }
 

@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "geometry/field_dimensions.h"
 #include "program/run/live_run.h"
 #include "program/run/run_options.h"
 #include "workbench/run/observer.h"
@@ -27,6 +29,7 @@ struct PreparedRun {
   LiveRunParts live;                       ///< without observers and a recording
   std::string venue;                       ///< room and field, for the user
   ConsoleSubject subject;                  ///< the objects that commands change
+  std::optional<FieldDimensions> field{};  ///< limits the poses that the operator sets
   std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
 };
 

@@ -10,6 +10,7 @@
 #include "engine/parameters/counted.h"
 #include "engine/parameters/utf8.h"
 #include "program/program_output.h"
+#include "workbench/run/run_controls.h"
 
 namespace reorient {
 
@@ -34,7 +35,9 @@ TimelinePrinter::TimelinePrinter(std::ostream& out, bool every_event, std::funct
     : out_(out), every_event_(every_event), make_room_(std::move(make_room)) {}
 
 bool TimelinePrinter::is_news(const TimelineEvent& event) {
-  const bool is_of_operator = event.machine == "note" && event.state.starts_with("note: ");
+  const bool is_of_operator =
+      (event.machine == "note" || event.machine == kOperatorName || event.machine == kViewerName) &&
+      event.state.starts_with("note: ");
   if (every_event_ || is_of_operator) return true;
   if (last_.size() >= kMostRemembered && event.time >= tidied_ + 1.0) {
     std::erase_if(last_, [&](const auto& each) { return event.time - each.second >= kRepeats; });

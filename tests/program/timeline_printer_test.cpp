@@ -56,6 +56,10 @@ TEST_F(TimelinePrinterTest, PrintsEachNoteOfTheOperator) {
   frame.logs.push_back({0, 0, "moved the robot", 0, true});
   for (const double time : {1.0, 2.0, 3.0})
     EXPECT_NE(printed(printer, time).find("note: moved the robot\n"), std::string::npos) << time;
+  frame.logs[0].machine = id("viewer");
+  frame.names = names.table();
+  for (const double time : {3.1, 3.2})
+    EXPECT_NE(printed(printer, time).find("viewer                note: moved the robot\n"), std::string::npos) << time;
   frame.logs[0].machine = id("busy");
   EXPECT_NE(printed(printer, 4.0), "");
   EXPECT_EQ(printed(printer, 5.0), "");

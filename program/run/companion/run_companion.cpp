@@ -150,11 +150,13 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
 
   // The prompt's engine changes with each client of another robot.
   FrameLoop* engine_now = nullptr;
+  RunControls controls(false, false);
   const OutputMailbox mailbox(out, err);
   const ConsoleSubject subject{
       .parameters = [&] { return engine_now != nullptr ? engine_now->parameters() : std::vector<Parameter>(); },
       .scripts = [&] { return edits.known(); },
-      .engine = [&] { return engine_now; }};
+      .engine = [&] { return engine_now; },
+      .controls = &controls};
   LiveConsole console(STDIN_FILENO, out, subject, history_path());
   const LiveViewPointer view = start_live_view(options.live, LiveLoad::usual, subject, options.scripts, console, err);
   const auto is_over = [&] {
@@ -221,7 +223,14 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     KeptCompanion* const robot = owned.get();
     robot->set_engine(*engine);
     RobotInstance instance{std::move(owned), handshake.body, RobotInstance::Clock::real, nullptr, nullptr};
-    live.run({.parts = {.robot = instance, .engine = *engine, .sources = {}, .observers = {&report}, .stop = {}},
+    controls.take();  // those for the client before
+    controls.set_field(handshake.field);
+    live.run({.parts = {.robot = instance,
+                        .engine = *engine,
+                        .sources = {},
+                        .observers = {&report},
+                        .stop = {},
+                        .controls = &controls},
               .edits = &edits,
               .model = model,
               .recording = recording_options,

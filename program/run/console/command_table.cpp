@@ -71,7 +71,8 @@ Reply wait(double seconds) {
 
 CommandTable::CommandTable(ConsoleSubject subject)
     : parameters_(subject.scenario, std::move(subject.parameters), std::move(subject.kept_parameters)),
-      scripts_(subject.scenario, std::move(subject.scripts), std::move(subject.engine)) {
+      scripts_(subject.scenario, std::move(subject.scripts), std::move(subject.engine)),
+      controls_(subject.controls) {
   const auto parameter_or_value = [this](const Words& before) {
     return before.empty() ? parameters_.names() : before.size() == 1 ? parameters_.values(before[0]) : Words();
   };
@@ -111,7 +112,10 @@ CommandTable::CommandTable(ConsoleSubject subject)
       {"note", "TEXT...", "record a note at this time, as in: note the referee moved it",
        [](const Words& words, FrameInputs& inputs) { return note(words, inputs); }},
       {"wait", "SECONDS", "wait before the next command, in the robot's time",
-       [](const Words& words, FrameInputs&) { return wait(seconds_of(words[0])); }},
+       [this](const Words& words, FrameInputs&) {
+         if (is_paused(controls_)) throw std::runtime_error("wait: expected a run that is not paused; resume it first");
+         return wait(seconds_of(words[0]));
+       }},
       {"help", "[COMMAND]", "this list",
        [this](const Words& words, FrameInputs&) { return at_once(help(optional_argument(words))); },
        first([this] { return names(); })},
@@ -121,6 +125,11 @@ CommandTable::CommandTable(ConsoleSubject subject)
          return at_once("");
        }},
   };
+  // Before `wait`.
+  const std::vector<Command> more = operator_commands(controls_);
+  const auto wait =
+      std::find_if(commands_.begin(), commands_.end(), [](const auto& one) { return one.name == "wait"; });
+  commands_.insert(wait, more.begin(), more.end());
 }
 
 Reply CommandTable::obey(const Words& typed, FrameInputs& inputs) {

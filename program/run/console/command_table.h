@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "program/run/console/command.h"
+#include "program/run/console/operator_commands.h"
 #include "program/run/console/parameter_commands.h"
 #include "program/run/console/script_commands.h"
 #include "program/run/console/world_commands.h"
@@ -22,6 +23,7 @@ struct ConsoleSubject {
   std::function<std::vector<ParameterChange>()> kept_parameters{};  ///< of scripts that are not loaded; may be empty
   std::function<const ScriptTexts*()> scripts{};                    ///< as last read from the disk
   std::function<const FrameLoop*()> engine{};                       ///< nullptr: no robot; may be empty
+  RunControls* controls = nullptr;                                  ///< nullptr: a replay
 };
 
 class CommandTable {
@@ -39,6 +41,8 @@ class CommandTable {
   std::string observe(const FrameRecord& frame, const SceneTruth& scene);
 
   bool wants_to_quit() const { return quit_; }
+  /// The requests of the user; nullptr: a replay.
+  const RunControls* controls() const { return controls_; }
 
  private:
   const Command& find(const std::string& name) const;
@@ -48,6 +52,7 @@ class CommandTable {
   ParameterCommands parameters_;
   WorldCommands world_;
   ScriptCommands scripts_;
+  RunControls* controls_;
   std::vector<Command> commands_;
   bool quit_ = false;
 };

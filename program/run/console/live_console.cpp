@@ -20,6 +20,14 @@ Words words_of(const std::string& line) {
   return words;
 }
 
+constexpr std::size_t kMostLateReplies = 100;
+
+/// Number of changes that wait for the next frame.
+std::size_t changes_in(const FrameInputs& inputs, const RunControls* controls) {
+  return inputs.parameter_changes.size() + inputs.script_edits.size() + inputs.external.notes.size() +
+         (controls != nullptr ? controls->waiting() : 0);
+}
+
 std::string mistake(const std::exception& error) { return "  " + printable(error.what()) + "\n"; }
 
 }  // namespace
@@ -41,6 +49,24 @@ void LiveConsole::add_to(FrameInputs& inputs) {
   } catch (const std::runtime_error& error) {
     reply_ = at_once(mistake(error));
   }
+}
+
+void LiveConsole::add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) {
+  if (wants_to_quit()) return;
+  const std::size_t before = changes_in(inputs, table_.controls());
+  add_to(inputs);
+  if (!reply_) return print("");
+  if (table_.controls()->pace().permits_frame()) return;  // a frame follows, which answers it
+  std::string text;
+  if (changes_in(inputs, table_.controls()) > before) {
+    text = "  the run is paused; this takes effect with the next frame\n";
+    if (late_.size() < kMostLateReplies) late_.push_back(std::move(reply_));
+    reply_ = {};
+  } else {
+    text = reply(last, scene);
+    if (reply_) return;  // it is busy
+  }
+  print(text);
 }
 
 Reply LiveConsole::ask(const Words& words) {
@@ -120,9 +146,31 @@ std::string LiveConsole::reply(const FrameRecord& frame, const SceneTruth& scene
   }
 }
 
+/// The answers that are ready, of commands that were typed during a pause.
+std::string LiveConsole::late_replies(const FrameRecord& frame, const SceneTruth& scene) {
+  std::string text;
+  for (Reply& late : std::exchange(late_, {})) {
+    try {
+      if (const std::optional<std::string> answer = late(frame, scene)) {
+        text += *answer;
+      } else {
+        late_.push_back(std::move(late));
+      }
+    } catch (const std::runtime_error& error) {
+      text += mistake(error);
+    }
+  }
+  return text;
+}
+
 void LiveConsole::observe(const FrameRecord& frame, const SceneTruth& scene) {
-  const std::string replied = reply(frame, scene);
-  const std::string text = replied + table_.observe(frame, scene);
+  std::string text = late_.empty() ? std::string() : late_replies(frame, scene);
+  text += reply(frame, scene);
+  print(text + table_.observe(frame, scene));
+}
+
+/// Prints whole lines, then the prompt if the next command can be read.
+void LiveConsole::print(const std::string& text) {
   if (!text.empty()) {
     begin_line();
     out_ << text << std::flush;

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "program/run/console/command_table.h"
 #include "program/run/console/line_editor.h"
@@ -16,7 +17,7 @@ namespace reorient {
 
 /// Executes at most one command per frame, without waiting. An empty line opens the prompt and hides the progress line;
 /// the next empty line closes it. The changes of a command enter the next frame. Its answer is read from that frame's
-/// record, before the next command is read.
+/// record, before the next command is read. While the run is paused, a command that needs no frame is answered at once.
 class LiveConsole : public InputSource, public Observer {
  public:
   /// Reads `descriptor`, answers on `out`. `history`: the file of lines from earlier runs, for a terminal.
@@ -24,6 +25,7 @@ class LiveConsole : public InputSource, public Observer {
               std::optional<std::filesystem::path> history = {});
 
   void add_to(FrameInputs& inputs) override;
+  void add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) override;
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
   void finish(const FrameRecord& last, const SceneTruth& scene) override;
   Topics wanted() const override;
@@ -47,6 +49,8 @@ class LiveConsole : public InputSource, public Observer {
   void open();
   void close();
   std::string reply(const FrameRecord& frame, const SceneTruth& scene);
+  std::string late_replies(const FrameRecord& frame, const SceneTruth& scene);
+  void print(const std::string& text);
 
   int descriptor_;
   std::ostream& out_;
@@ -55,6 +59,7 @@ class LiveConsole : public InputSource, public Observer {
   LineReader lines_;
   std::optional<LineEditor> editor_;  ///< created when the prompt is first opened at a terminal
   Reply reply_;                       ///< the pending answer; empty: none
+  std::vector<Reply> late_;           ///< answers to commands of a pause that wait for the next frame
   bool open_ = false;
   bool is_prompted_ = false;  ///< the prompt is the last text on `out`, without a line editor
 };

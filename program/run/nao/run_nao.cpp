@@ -110,10 +110,13 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
   const Interruption interruption;
 
+  RunControls controls(false, false);
+  controls.set_field(field);
   const OutputMailbox mailbox(out, err);
   const ConsoleSubject subject{.parameters = [&] { return engine.parameters(); },
                                .scripts = [&] { return edits.known(); },
-                               .engine = [&] { return &engine; }};
+                               .engine = [&] { return &engine; },
+                               .controls = &controls};
   LiveConsole console(STDIN_FILENO, out, subject, history_path());
   const LiveViewPointer view = start_live_view(options.live, LiveLoad::light, subject, options.scripts, console, err);
   NaoHardware hardware({options.guard, options.cameras == "both", options.team > 0});
@@ -127,7 +130,12 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
                      options.stand ? "the robot stands up" : "press the chest button to make the robot stand up")
       << std::flush;
   RobotInstance instance{std::move(robot), robot_options.body, RobotInstance::Clock::real, nullptr, nullptr};
-  live.run({.parts = {.robot = instance, .engine = engine, .sources = {&start}, .observers = {}, .stop = {}},
+  live.run({.parts = {.robot = instance,
+                      .engine = engine,
+                      .sources = {&start},
+                      .observers = {},
+                      .stop = {},
+                      .controls = &controls},
             .edits = &edits,
             .model = model,
             .mounting = mounting,
