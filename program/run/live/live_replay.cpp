@@ -18,6 +18,7 @@
 #include "workbench/files/script_files.h"
 #include "workbench/recording/recording.h"
 #include "workbench/recording/replay.h"
+#include "workbench/run/run_pace.h"
 #include "workbench/views/live/live_view.h"
 
 namespace reorient {
@@ -54,27 +55,6 @@ class ShownFrames : public InputSource, public Observer {
   CommandTable& commands_;
 };
 
-/// Real time, or a multiple of it: when a frame is due.
-class PlaybackPace {
- public:
-  void begin(double time) {
-    time_ = time;
-    since_ = Clock::now();
-  }
-  void set_speed(double speed, double time) {
-    begin(time);
-    speed_ = speed;
-  }
-  double speed() const { return speed_; }
-  Clock::time_point due(double time) const {
-    return since_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((time - time_) / speed_));
-  }
-
- private:
-  double time_ = 0.0, speed_ = 1.0;
-  Clock::time_point since_ = Clock::now();
-};
-
 LiveViewOptions view_options(const LiveReplayOptions& options, const Recording& recording) {
   LiveViewOptions view = live_view_options(options.live, LiveLoad::usual);
   view.data_start = std::max(recording.begin_time(), options.times.from);
@@ -102,7 +82,8 @@ class LiveReplay {
                                             FrameInputs unchanged;
                                             return commands_.obey(words, unchanged);
                                           },
-                                          [this] { return engine_; }, make_what_if(options_.live, LiveLoad::usual)});
+                                          nullptr, [this] { return engine_; },
+                                          make_what_if(options_.live, LiveLoad::usual)});
     shown_.emplace(*view_, commands_);
   }
 
@@ -196,9 +177,7 @@ class LiveReplay {
 
   void take_controls() {
     while (const std::optional<live::ControlPlayback> control = view_->take_control()) {
-      constexpr double kSlowest = 0.05, kFastest = 20.0;
-      if (control->speed > 0.0f)
-        pace_.set_speed(std::clamp(static_cast<double>(control->speed), kSlowest, kFastest), next_time());
+      if (control->speed > 0.0f) pace_.set_speed(static_cast<double>(control->speed));
       const bool was_over = status_ == PlaybackStatus::ended;
       std::optional<double> target;
       if (control->seek) target = std::clamp(1e-9 * static_cast<double>(*control->seek), begin_, end_);
@@ -238,7 +217,7 @@ class LiveReplay {
   std::optional<Replay> replay_;
   std::optional<RunLoop> loop_;
   FrameLoop* engine_ = nullptr;
-  PlaybackPace pace_;
+  RunPace pace_;
   PlaybackStatus status_ = PlaybackStatus::playing;
   double time_ = 0.0, begin_ = 0.0, end_ = 0.0;  // s of the robot
   double frame_seconds_ = 1.0 / 30.0;            // between the last two frames

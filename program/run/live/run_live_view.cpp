@@ -27,8 +27,8 @@ LiveViewPointer start_live_view(const LiveOptions& options, LiveLoad load, const
   LiveViewPointer live(
       new LiveView(live_view_options(options, load),
                    live::LiveSubject{subject.scenario, subject.parameters, subject.kept_parameters, scripts,
-                                     [&console](const Words& words) { return console.ask(words); }, subject.engine,
-                                     make_what_if(options, load)}));
+                                     [&console](const Words& words) { return console.ask(words); }, subject.controls,
+                                     subject.engine, make_what_if(options, load)}));
   print_link(*live, err);
   return live;
 }

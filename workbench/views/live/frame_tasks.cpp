@@ -14,10 +14,17 @@ namespace {
 
 constexpr std::size_t kMostChanges = 200;    // of a request, because they take time of a frame
 constexpr std::size_t kMostSuggestions = 3;  // of names, for the same reason
+constexpr std::size_t kMostDelayed = 200;    // changes that wait for the next frame of a paused run
 
 const Parameter* parameter_named(const std::vector<Parameter>& all, const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Parameter& one) { return one.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+/// Whether the record of the next frame contains the answer.
+bool needs_frame(const FrameTask& task) {
+  return std::holds_alternative<ChangeParameters>(task) || std::holds_alternative<UndoChange>(task) ||
+         std::holds_alternative<AddNote>(task) || std::holds_alternative<ReloadScripts>(task);
 }
 
 std::string unknown_text(const std::vector<Parameter>& all, const std::string& name, bool suggests) {
@@ -35,10 +42,15 @@ std::string unknown_text(const std::vector<Parameter>& all, const std::string& n
 void FrameTasks::begin(FrameRequest request, FrameInputs& inputs) {
   Pending pending{.to = std::move(request.to), .refused = {}, .changed = {}, .reply = {}, .machine = {}, .failure = {}};
   try {
+    pending.needs_frame = needs_frame(request.task);
+    if (pending.needs_frame && pending_.size() >= kMostDelayed)
+      throw std::runtime_error("expected at most " + std::to_string(kMostDelayed) +
+                               " requests that wait for the next frame, found more; resume the run first");
     std::visit([&](auto&& task) { start(std::forward<decltype(task)>(task), pending, inputs); },
                std::move(request.task));
   } catch (const std::runtime_error& error) {
     pending.failure = as_line(error.what());
+    pending.needs_frame = false;
   }
   pending_.push_back(std::move(pending));
 }
@@ -107,6 +119,41 @@ std::shared_ptr<const RunningMachine> FrameTasks::running_machine(const std::str
   throw std::runtime_error("unknown machine '" + as_line(name) + "'" + did_you_mean(name, names));
 }
 
+RunControls& FrameTasks::controls() const {
+  if (subject_.controls == nullptr) throw std::runtime_error("expected a run, found a replay");
+  return *subject_.controls;
+}
+
+RunState FrameTasks::run_state() const {
+  const RunControls* const controls = subject_.controls;
+  if (controls == nullptr) return {};
+  const RunPace& pace = controls->pace();
+  return {controls->has_operator(), controls->sets_pace(), pace.is_paused(), pace.speed()};
+}
+
+void FrameTasks::start(ShowRun&& /*task*/, Pending& pending, FrameInputs& /*inputs*/) {
+  pending.reads_parameters = false;
+}
+
+void FrameTasks::start(ActAsOperator&& task, Pending& pending, FrameInputs& /*inputs*/) {
+  pending.reads_parameters = false;
+  controls().request(std::move(task.request), kViewerName);
+}
+
+void FrameTasks::start(ChangePace&& task, Pending& pending, FrameInputs& /*inputs*/) {
+  pending.reads_parameters = false;
+  switch (task.change) {
+    case ChangePace::Change::pause:
+      return controls().change_pace("pause").pause();
+    case ChangePace::Change::resume:
+      return controls().change_pace("resume").resume();
+    case ChangePace::Change::frame:
+      return controls().take_frames(task.frames);
+    case ChangePace::Change::speed:
+      return controls().set_speed(task.speed);
+  }
+}
+
 Topics FrameTasks::wanted() const {
   const bool any = std::any_of(pending_.begin(), pending_.end(), [](const Pending& one) { return bool(one.reply); });
   return any ? Topics{Topic::conditions, Topic::costs} : Topics();
@@ -147,30 +194,50 @@ bool FrameTasks::complete(Pending& pending, const FrameRecord& frame, const Scen
   return true;
 }
 
+/// False: it needs a later frame.
+bool FrameTasks::append_answer(Pending& pending, const FrameRecord& frame, const SceneTruth& scene,
+                               std::vector<FrameAnswer>& answers) {
+  FrameAnswer answer{.to = pending.to, .time = frame.world.time};
+  if (!complete(pending, frame, scene, answer)) return false;
+  answer.run = run_state();
+  if (pending.reads_parameters) {
+    // Several answers share one list.
+    const bool is_read = !answers.empty() && answers.back().parameters && answers.back().time == answer.time;
+    answer.parameters =
+        is_read ? answers.back().parameters : std::make_shared<const std::vector<Parameter>>(subject_.parameters());
+    if (subject_.kept_parameters) answer.kept = subject_.kept_parameters();
+  }
+  answers.push_back(std::move(answer));
+  return true;
+}
+
 void FrameTasks::answer(const FrameRecord& frame, const SceneTruth& scene, std::vector<FrameAnswer>& answers) {
-  std::shared_ptr<const std::vector<Parameter>> parameters;
-  std::erase_if(pending_, [&](Pending& pending) {
-    FrameAnswer answer{.to = pending.to, .time = frame.world.time};
-    if (!complete(pending, frame, scene, answer)) return false;
-    if (pending.reads_parameters) {
-      if (!parameters) parameters = std::make_shared<const std::vector<Parameter>>(subject_.parameters());
-      answer.parameters = parameters;
-      if (subject_.kept_parameters) answer.kept = subject_.kept_parameters();
-    }
-    answers.push_back(std::move(answer));
-    return true;
-  });
+  std::erase_if(pending_, [&](Pending& pending) { return append_answer(pending, frame, scene, answers); });
+}
+
+void FrameTasks::answer_while_paused(const FrameRecord& last, const SceneTruth& scene,
+                                     std::vector<FrameAnswer>& answers) {
+  std::erase_if(pending_,
+                [&](Pending& pending) { return !pending.needs_frame && append_answer(pending, last, scene, answers); });
+  for (Pending& pending : pending_) {
+    if (!pending.needs_frame || pending.is_told) continue;
+    const bool knows = std::any_of(pending_.begin(), pending_.end(), [&](const Pending& other) {
+      return other.is_told && other.to.viewer == pending.to.viewer;
+    });
+    pending.is_told = true;
+    if (!knows) answers.push_back({.to = pending.to, .is_delayed = true});
+  }
 }
 
 FrameAnswer FrameTasks::refuse(const FrameRequest& request, const std::string& reason) const {
-  FrameAnswer answer{.to = request.to};
+  FrameAnswer answer{.to = request.to, .run = run_state()};
   if (const auto* const task = std::get_if<DescribeMachine>(&request.task)) {
     try {
       answer.machine = running_machine(task->name);
     } catch (const std::runtime_error& error) {
       answer.failure = as_line(error.what());
     }
-  } else if (!std::holds_alternative<ListParameters>(request.task)) {
+  } else if (!std::holds_alternative<ListParameters>(request.task) && !std::holds_alternative<ShowRun>(request.task)) {
     answer.failure = reason;
   }
   answer.parameters = std::make_shared<const std::vector<Parameter>>(subject_.parameters());

@@ -28,6 +28,7 @@ struct LiveSubject {
   std::filesystem::path scripts;                                  ///< their root
   /// Executes a command of the prompt that changes nothing. Throws std::runtime_error with one line. May be empty.
   std::function<PromptReply(const std::vector<std::string>& words)> ask;
+  RunControls* controls = nullptr;           ///< nullptr: a replay
   std::function<const FrameLoop*()> engine;  ///< that of the running behaviors; nullptr: no robot; may be empty
   std::shared_ptr<WhatIf> what_if{};         ///< nullptr: the run keeps no frames
 };
@@ -42,7 +43,11 @@ class FrameTasks {
   void begin(FrameRequest request, FrameInputs& inputs);
   /// After the frame: appends the answers that are ready.
   void answer(const FrameRecord& frame, const SceneTruth& scene, std::vector<FrameAnswer>& answers);
-  /// Answers the request without a frame: only parameters and machines can be described, because `reason`.
+  /// The same between two frames of a paused run: appends the answers that do not need the next frame. `last`,
+  /// `scene`: the last frame.
+  void answer_while_paused(const FrameRecord& last, const SceneTruth& scene, std::vector<FrameAnswer>& answers);
+  /// Answers the request without a frame: only parameters, machines and the state of the run can be read, because
+  /// `reason`.
   FrameAnswer refuse(const FrameRequest& request, const std::string& reason) const;
 
   std::size_t pending() const { return pending_.size(); }
@@ -60,6 +65,8 @@ class FrameTasks {
     std::vector<ParameterOutcome> refused;  // without a frame
     std::vector<RequestedChange> changed;
     bool reads_parameters = true, reloads = false;
+    bool needs_frame = false;  // the answer is in the next frame
+    bool is_told = false;      // the viewer knows that it waits
     PromptReply reply;
     std::optional<std::string> machine;  // to be described
     std::string failure;
@@ -74,6 +81,13 @@ class FrameTasks {
   void start(DescribeMachine&& task, Pending& pending, FrameInputs& inputs);
   /// Throws std::runtime_error if the machine is unknown.
   std::shared_ptr<const RunningMachine> running_machine(const std::string& name) const;
+  void start(ShowRun&& task, Pending& pending, FrameInputs& inputs);
+  void start(ActAsOperator&& task, Pending& pending, FrameInputs& inputs);
+  void start(ChangePace&& task, Pending& pending, FrameInputs& inputs);
+  RunControls& controls() const;
+  RunState run_state() const;
+  bool append_answer(Pending& pending, const FrameRecord& frame, const SceneTruth& scene,
+                     std::vector<FrameAnswer>& answers);
   bool complete(Pending& pending, const FrameRecord& frame, const SceneTruth& scene, FrameAnswer& answer);
 
   LiveSubject subject_;

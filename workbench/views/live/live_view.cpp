@@ -93,16 +93,38 @@ std::string LiveView::link() const {
   return "http://" + host + ":" + std::to_string(server_->port()) + "/?token=" + token_;
 }
 
-void LiveView::add_to(FrameInputs& inputs) {
+bool LiveView::has_room_for_answers() const {
+  const std::lock_guard lock(mutex_);
+  return answers_waiting_.size() < kMostAnswers;
+}
+
+void LiveView::hand_over(std::vector<FrameAnswer>& answers) {
+  if (answers.empty()) return;
   {
     const std::lock_guard lock(mutex_);
-    if (answers_waiting_.size() >= kMostAnswers) return;
+    for (FrameAnswer& answer : answers) answers_waiting_.push_back(std::move(answer));
   }
+  answers.clear();
+  wake_.notify_one();
+}
+
+void LiveView::add_to(FrameInputs& inputs) {
+  if (!has_room_for_answers()) return;
   while (tasks_.pending() < kMostTasks) {
     std::optional<live::FrameRequest> request = requests_.take();
     if (!request) break;
     tasks_.begin(std::move(*request), inputs);
   }
+}
+
+void LiveView::add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) {
+  for (std::size_t i = 0; i < kMostTasks && has_room_for_answers(); ++i) {
+    std::optional<live::FrameRequest> request = requests_.take();
+    if (!request) break;
+    tasks_.begin(std::move(*request), inputs);
+  }
+  tasks_.answer_while_paused(last, scene, answers_);
+  hand_over(answers_);
 }
 
 /// The messages to make of the coming frame.
@@ -163,7 +185,6 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
 
 void LiveView::observe(const FrameRecord& frame, const SceneTruth& scene) {
   if (is_kept_) tasks_.subject().what_if->memory().observe(frame, scene);
-  answers_.clear();
   tasks_.answer(frame, scene, answers_);
   if (viewers_.any_watches() && may_have_changed_parameters(frame, scene)) {
     FrameAnswer changed;
@@ -177,11 +198,11 @@ void LiveView::observe(const FrameRecord& frame, const SceneTruth& scene) {
     copy_->scene = scene;
     begins_ = begins_ && !copy_->begins;
   }
-  if (!copy_ && answers_.empty()) return;
+  hand_over(answers_);
+  if (!copy_) return;
   {
     const std::lock_guard lock(mutex_);
-    if (copy_) frames_waiting_.add(std::move(copy_));
-    for (FrameAnswer& answer : answers_) answers_waiting_.push_back(std::move(answer));
+    frames_waiting_.add(std::move(copy_));
   }
   wake_.notify_one();
 }
@@ -236,6 +257,10 @@ void LiveView::publish(const FrameCopy& copy) {
 }
 
 void LiveView::send(FrameAnswer answer) {
+  if (answer.is_delayed) {
+    const std::string text = "the run is paused; changes take effect with the next frame";
+    return viewers_.send(answer.to.viewer, live::status(live::StatusLevel::info, text));
+  }
   if (answer.parameters) viewers_.send_changes(*answer.parameters);
   if (answer.to.viewer == 0) return;
   if (answer.to.service != 0) return send_service_answer(std::move(answer));

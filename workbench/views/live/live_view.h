@@ -45,6 +45,7 @@ class LiveView : public InputSource, public Observer {
   std::string link() const;
 
   void add_to(FrameInputs& inputs) override;
+  void add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) override;
   void before(const FrameInputs& inputs, const FrameLoop& engine) override;
   Topics wanted() const override { return wanted_; }
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
@@ -72,6 +73,8 @@ class LiveView : public InputSource, public Observer {
   Counts counts() const;
 
  private:
+  bool has_room_for_answers() const;
+  void hand_over(std::vector<live::FrameAnswer>& answers);
   ViewerTopics due_topics(const FrameInputs& inputs);
   void make_messages();
   void publish(const live::FrameCopy& copy);

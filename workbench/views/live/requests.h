@@ -20,6 +20,7 @@
 #include "engine/script/script_output.h"
 #include "engine/script/script_texts.h"
 #include "workbench/run/observer.h"
+#include "workbench/run/run_controls.h"
 #include "workbench/views/live/protocol/foxglove_protocol.h"
 
 namespace reorient::live {
@@ -50,8 +51,19 @@ struct AskPrompt {
 struct DescribeMachine {
   std::string name;
 };
-using FrameTask =
-    std::variant<ListParameters, ChangeParameters, UndoChange, AddNote, ReloadScripts, AskPrompt, DescribeMachine>;
+/// What the operator can do, and the pace of the run.
+struct ShowRun {};
+struct ActAsOperator {
+  OperatorRequest request;
+};
+struct ChangePace {
+  enum class Change { pause, resume, frame, speed };
+  Change change = Change::pause;
+  int frames = 1;      ///< of `frame`
+  double speed = 1.0;  ///< of `speed`
+};
+using FrameTask = std::variant<ListParameters, ChangeParameters, UndoChange, AddNote, ReloadScripts, AskPrompt,
+                               DescribeMachine, ShowRun, ActAsOperator, ChangePace>;
 
 /// A machine, and the texts of the scripts that declare it.
 struct RunningMachine {
@@ -74,6 +86,12 @@ struct FrameRequest {
   FrameTask task;
 };
 
+struct RunState {
+  bool has_operator = false, sets_pace = false;  ///< as of RunControls; both false in a replay
+  bool is_paused = false;
+  double speed = 1.0;
+};
+
 struct FrameAnswer {
   AnswerAddress to;
   double time = 0.0;                                           ///< s, of the frame
@@ -82,9 +100,11 @@ struct FrameAnswer {
   std::vector<ParameterOutcome> outcomes{};
   std::vector<ReloadRecord> reloads{};
   std::shared_ptr<const RunningMachine> machine{};  ///< nullptr: not requested
-  std::string text{};                               ///< of the prompt
-  std::string backup{};                             ///< of the file that was replaced; empty: none
-  std::string failure{};                            ///< one line; empty: it succeeded
+  RunState run{};
+  std::string text{};       ///< of the prompt
+  std::string backup{};     ///< of the file that was replaced; empty: none
+  std::string failure{};    ///< one line; empty: it succeeded
+  bool is_delayed = false;  ///< no answer yet: the change waits for the next frame of a paused run
 };
 
 /// A bounded queue between two threads.

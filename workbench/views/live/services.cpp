@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/views/live/services.h"
 
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "engine/parameters/parameter.h"
 #include "engine/parameters/utf8.h"
 #include "robots/robot.h"
 #include "workbench/files/parameter_file.h"
@@ -115,6 +120,65 @@ std::string short_word(std::string word) {
   return word;
 }
 
+/// A member of a request; nothing: it is missing. Throws BadClientMessage if it has another type.
+template <typename Value>
+std::optional<Value> optional_member(const ClientObject& request, const std::string& service, const char* name) {
+  const auto found = request.json().find(name);
+  if (found == request.json().end()) return std::nullopt;
+  const bool fits = std::is_same_v<Value, bool> ? found->is_boolean() : found->is_number();
+  if (!fits)
+    throw BadClientMessage(service + ": " + name + ": expected " +
+                           (std::is_same_v<Value, bool> ? "true or false" : "a number") + ", found " +
+                           found->type_name());
+  return found->template get<Value>();
+}
+
+ActAsOperator operator_task(const ClientObject& request) {
+  const auto number = [&](const char* name) { return optional_member<double>(request, "operator", name); };
+  OperatorRequestValues values;
+  values.x = number("x");
+  values.y = number("y");
+  values.degrees = number("degrees");
+  values.stops = number("stops");
+  values.penalized = optional_member<bool>(request, "operator", "penalized");
+  try {
+    return {operator_request(request.text("action"), values)};
+  } catch (const BadClientMessage&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw BadClientMessage("operator: " + std::string(error.what()));
+  }
+}
+
+ChangePace pace_task(const ClientObject& request) {
+  using Change = ChangePace::Change;
+  const std::string action = request.text("action");
+  if (action == "pause") return {.change = Change::pause};
+  if (action == "resume") return {.change = Change::resume};
+  if (action == "frame") {
+    const double frames = optional_member<double>(request, "pace", "frames").value_or(1.0);
+    if (!(frames >= 1.0 && frames <= RunPace::kMostFrames && frames == std::floor(frames)))
+      throw BadClientMessage("pace: frames: expected a whole number from 1 to " + std::to_string(RunPace::kMostFrames) +
+                             ", found " + to_text(frames));
+    return {.change = Change::frame, .frames = static_cast<int>(frames)};
+  }
+  if (action == "speed") {
+    const std::optional<double> factor = optional_member<double>(request, "pace", "factor");
+    if (!factor) throw BadClientMessage("pace: factor: expected a number, found none");
+    return {.change = Change::speed, .speed = *factor};
+  }
+  throw BadClientMessage("pace: action: expected pause, resume, frame or speed, found '" +
+                         as_line(action.substr(0, 40)) + "'");
+}
+
+ServiceJson run_json(const FrameAnswer& answer) {
+  return {{"operator", answer.run.has_operator},
+          {"pace", answer.run.sets_pace},
+          {"paused", answer.run.is_paused},
+          {"speed", answer.run.speed},
+          {"time", answer.time}};
+}
+
 }  // namespace
 
 std::string advertise_live_services() {
@@ -154,6 +218,12 @@ FrameTask read_service_request(const ServiceRow& row, const std::string& payload
       const std::string pattern = short_word(request.text_or_empty("pattern"));
       return pattern.empty() ? AskPrompt{{"world"}} : AskPrompt{{"world", pattern}};
     }
+    case Service::run_state:
+      return ShowRun{};
+    case Service::operate:
+      return operator_task(request);
+    case Service::pace:
+      return pace_task(request);
     case Service::save:
       to.file = saved_file(request, "save");
       return ListParameters{};
@@ -181,7 +251,11 @@ std::string service_answer(const ServiceRow& row, const FrameAnswer& answer) {
     case Service::undo:
       return dumped(changes_json(answer));
     case Service::note:
+    case Service::operate:
       return dumped({{"time", answer.time}});
+    case Service::run_state:
+    case Service::pace:
+      return dumped(run_json(answer));
     case Service::save:
       return dumped({{"file", answer.to.file}, {"backup", answer.backup}});
     case Service::reload:

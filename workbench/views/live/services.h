@@ -30,9 +30,12 @@ enum class Service {
   machine,
   world,
   what_if,
-  file_parameters
+  file_parameters,
+  run_state,
+  operate,
+  pace
 };
-inline constexpr std::size_t kServiceCount = 17;
+inline constexpr std::size_t kServiceCount = 20;
 
 struct ServiceRow {
   Service service;
@@ -95,6 +98,13 @@ inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
     {Service::file_parameters, "file_parameters", false,
      "the parameters of a file that `save` wrote, with their values as text", R"({"file":"tuned.toml"})",
      R"({"file":"tuned.toml","parameters":[{"name":"orientation.lingering","value":"0.4"}]})"},
+    {Service::run_state, "run_state", false,
+     "whether this run has an operator, whether its pace can be set, and the pace", "{}",
+     R"({"operator":true,"pace":true,"paused":false,"speed":1.0,"time":12.5})"},
+    {Service::operate, "operator", true, "an action of the operator, before the next frame",
+     R"({"action":"put_down","x":-3.0,"y":1.5,"degrees":90.0})", R"({"time":12.5})"},
+    {Service::pace, "pace", true, "pauses or resumes the run, runs single frames, or sets the speed",
+     R"({"action":"speed","factor":2.0})", R"({"operator":true,"pace":true,"paused":false,"speed":2.0,"time":12.5})"},
 }};
 
 /// The ids of services begin at 1.

@@ -127,7 +127,7 @@ void Session::take(const FetchAsset& message) {
 }
 
 void Session::take(const ControlPlayback& message) {
-  if (!parts_.control_playback) return warn("playback: expected a replay, found a run, which cannot be stopped");
+  if (!parts_.control_playback) return warn("playback: expected a replay, found a run; use the service pace");
   if (!access_.changes) return warn("playback: refused: " + access_.why_not);
   parts_.control_playback(viewer_, message);
 }

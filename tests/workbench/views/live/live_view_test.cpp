@@ -78,6 +78,7 @@ class ViewedRun : public ::testing::Test {
     };
     subject.engine = [this] { return &*loop.engine; };
     subject.what_if = what_if;
+    subject.controls = &controls;
     live.emplace(options, subject);
     const std::string link = live->link();
     port = std::stoi(link.substr(link.rfind(':') + 1));
@@ -131,6 +132,7 @@ class ViewedRun : public ::testing::Test {
 
   TemporaryFolder folder;
   HandFedLoop loop{kIdle};
+  RunControls controls{true, true};
   SceneTruth scene;
   std::shared_ptr<TestedWhatIf> what_if = std::make_shared<TestedWhatIf>();
   std::optional<LiveView> live;
