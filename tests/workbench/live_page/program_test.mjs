@@ -2,23 +2,32 @@
 // program_test.mjs PROGRAM FOLDER: uses the page in chromium (CHROMIUM) on a run of the program itself, with a copy of
 // the scripts in FOLDER. Each test waits until something is seen, never for a fixed time.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { appendFileSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 
-import { launch, openPage, untilListed } from "./browser.mjs";
+import { PATIENCE, launch, openPage, untilListed } from "./browser.mjs";
 
 const [program, folder] = process.argv.slice(2);
 const scripts = join(folder, "scripts");
 
 let run, browser, page;
 const messages = []; // of the console
+const printed = []; // lines of the run's timeline
+
+const options = ["--log", "off", "run", "patrol", "--width", "160", "--no-pictures", "--scripts", scripts, "--model",
+  join(folder, "room.model"), "--seconds"];
 
 before(async () => {
-  run = spawn(program, ["--log", "off", "run", "patrol", "--live", "0", "--width", "160", "--seconds", "600",
-    "--no-pictures", "--scripts", scripts], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
+  try {
+    execFileSync(program, [...options, "30"], { stdio: "ignore" }); // the robot learns the room, as fast as possible
+  } catch (error) {
+    assert.equal(error.status, 1); // the scenario does not end in this time
+  }
+  run = spawn(program, [...options, "36000", "--live", "0"], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+  createInterface(run.stdout).on("line", (line) => printed.push(line));
   const link = await new Promise((resolve, reject) => {
     createInterface(run.stderr).on("line", (line) => {
       const found = line.match(/live view: (\S+)/);
@@ -150,6 +159,112 @@ test("a broken edit and its fix are shown while the run continues", async () => 
   await page.getByText("unexpected symbol near '='").first().waitFor();
   writeFileSync(file, good + "\n-- as before\n");
   await page.getByText("the edit is running").first().waitFor();
+});
+
+test("a run pauses, takes single frames and resumes", async () => {
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Pause run" }).click();
+  await page.getByText("Run paused").waitFor();
+  await page.keyboard.press("8");
+  const notes = page.locator("[data-panel=notes] li");
+  // A note of a pause has the time of the next frame.
+  const times = [];
+  for (const text of ["before a frame", "before another frame"]) {
+    await page.locator("#note").fill(text);
+    await page.locator("#note").press("Enter");
+    await page.getByText("the run is paused; changes take effect with the next frame").waitFor();
+    await page.getByRole("button", { name: "One frame" }).click();
+    const note = notes.filter({ hasText: text });
+    times.push(parseFloat(await note.locator(".time").first().innerText()));
+    await page.waitForFunction(() => document.querySelector("#note").value === "");
+  }
+  assert.ok(Math.abs(times[1] - times[0] - 1 / 30) < 0.011, `expected the times of two frames, found ${times}`);
+  await page.getByText("Run paused").waitFor();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
+});
+
+const field = () => page.locator("[data-panel=field] canvas");
+const operator = () => page.locator("[data-panel=operator]");
+
+/// Moves the pointer to the true robot in the panel of the field. Returns where it is, and its mirrored position.
+async function pointToRobot() {
+  const { width, height, x, y } = await field().boundingBox();
+  const at = (u, v) => [x + 0.5 * width + u, y + 0.5 * height + v];
+  // A click shows the position of a point.
+  const across = 0.25 * width;
+  await page.mouse.click(...at(across, 0.45 * height));
+  const point = /Point: x ([\d.]+) m/.exec(await page.locator(".numbers").innerText());
+  assert.ok(point, "expected the numbers of a point");
+  await page.getByLabel("Close the numbers").click();
+  const scale = across / Number(point[1]);
+  await page.keyboard.press("o");
+  await operator().getByText("use the true pose").click();
+  const [u, v] = await Promise.all(
+    ["x in m", "y in m"].map(async (name) => scale * Number(await operator().getByLabel(name).inputValue())),
+  );
+  await page.mouse.move(...at(u, -v));
+  await page.waitForFunction(() => document.querySelector("[data-panel=field] canvas").style.cursor === "grab");
+  return { here: at(u, -v), mirrored: at(-u, v) };
+}
+
+const setSpeed = (speed) => page.getByLabel("Speed of the run").selectOption(String(speed));
+
+test("a drag that is canceled returns the robot", async () => {
+  await setSpeed(0.05); // so that the robot does not walk away from the pointer
+  await page.keyboard.press("1");
+  await page.getByRole("tab", { name: "Notes" }).click();
+  const { here } = await pointToRobot();
+  await page.mouse.down();
+  await page.mouse.move(here[0] + 40, here[1], { steps: 4 });
+  await page.mouse.wheel(0, 100);
+  await page.getByText("Escape cancels").waitFor();
+  await page.keyboard.press("Escape");
+  await page.getByText("Escape cancels").waitFor({ state: "detached" });
+  await page.mouse.up();
+  await page.locator("[data-panel=notes]").getByText("put_down").first().waitFor();
+});
+
+test("a robot that is dragged to its mirrored pose notices it", async () => {
+  const isFlip = (line) => line.includes("flip_pose granted (the mirrored pose won)");
+  assert.ok(!printed.some(isFlip));
+  const { mirrored } = await pointToRobot();
+  await page.mouse.down();
+  await page.mouse.move(...mirrored, { steps: 10 });
+  await page.getByText("Mirrored pose: x").waitFor();
+  await page.mouse.up();
+  await setSpeed(20); // frames may be too many for the page, so that it misses the event
+  const end = Date.now() + PATIENCE;
+  while (!printed.some(isFlip)) {
+    assert.ok(Date.now() < end, `expected a flip, found\n${printed.slice(-20).join("\n")}`);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  await page.getByText("The robot is sure of its pose").waitFor();
+  await setSpeed(1);
+});
+
+test("the panel of the operator places, pushes and penalizes the robot, and refuses wrong numbers", async () => {
+  await page.keyboard.press("o");
+  const panel = operator();
+  await page.getByRole("tab", { name: "Notes" }).click();
+  const untilNoted = (text) => page.locator("[data-panel=notes]").getByText(text).first().waitFor();
+  await panel.getByRole("button", { name: "Penalize" }).click();
+  await untilNoted("penalize on");
+  await panel.getByRole("button", { name: "End the penalty" }).click();
+  await untilNoted("penalize off");
+  await panel.getByRole("button", { name: "Push over" }).click();
+  await untilNoted("push_over");
+  await panel.getByLabel("x in m").fill("1.5");
+  await panel.getByLabel("degrees").fill("90");
+  await panel.getByLabel("y in m").fill("far");
+  assert.equal(await panel.getByRole("button", { name: "Put down" }).isDisabled(), true);
+  await panel.getByLabel("y in m").fill("1e9");
+  await panel.getByLabel("y in m").press("Enter");
+  await panel.getByText("expected a pose within 100 m").waitFor();
+  await panel.getByLabel("y in m").fill("-1");
+  await panel.getByLabel("y in m").press("Enter");
+  await untilNoted("put_down at x 1.50 m, y -1.00 m, 90.0 degrees");
 });
 
 test("the page says that the robot is gone when the run ends", async () => {

@@ -7,6 +7,8 @@ import { duration, seconds } from "./format.js";
 import { Help } from "./help.jsx";
 import { onKey } from "./keys.js";
 import { AREAS, contentsOf, hidePanel, movePanel, openPanel, resetLayout } from "./layout.js";
+import { followRun, isRunPaused } from "./operator.js";
+import { Pace } from "./pace.jsx";
 import { panels } from "./panels/index.js";
 import { limits, link, store } from "./robot.js";
 import { thought } from "./sentence.js";
@@ -30,6 +32,7 @@ function connectionText() {
     const hint = now - link.since > LONG ? " A restarted run prints another link." : "";
     return { tone: "wrong", text: `The robot is gone for ${gone}. Trying again…${hint}` };
   }
+  if (isRunPaused()) return { tone: "busy", text: "Run paused" };
   if (!store.frames.length) return { tone: "doubt", text: "Connected. Waiting for data…" };
   if (now - link.heard > STALE) return { tone: "doubt", text: `No data for ${duration((now - link.heard) / 1000)}` };
   return { tone: "good", text: "Live" };
@@ -105,6 +108,7 @@ function Header({ onHelp }) {
       <ConnectionState />
       <Thought />
       <nav>
+        <Pace />
         <PanelMenu />
         <button
           class="button"
@@ -201,6 +205,7 @@ function Areas() {
 export function App() {
   const [audience, setAudience] = useState(isAudience());
   const [help, setHelp] = useState(false);
+  useEffect(followRun, []);
   useEffect(() => {
     const navigate = () => setAudience(isAudience());
     const key = (event) => onKey(event, { help: () => setHelp((shown) => !shown), close: () => setHelp(false) });

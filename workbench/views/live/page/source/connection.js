@@ -147,7 +147,12 @@ export class Connection {
     const call = this.nextId++;
     return new Promise((resolve, reject) => {
       const timer = setTimeout(
-        () => this.finishCall(call, null, new Error(`no answer to ${name} after ${timeout / 1000} s`)),
+        () =>
+          this.finishCall(
+            call,
+            null,
+            new Error(`no answer to ${name} after ${timeout / 1000} s; a paused run answers later`),
+          ),
         timeout,
       );
       this.calls.set(call, { resolve, reject, timer });

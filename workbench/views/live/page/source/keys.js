@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keys of the page. Keys typed into a field are left alone, except Escape.
 import { openPanel } from "./layout.js";
+import { runOneFrame, togglePause } from "./pace.jsx";
 import { panels } from "./panels/index.js";
 import { store, undoParameter } from "./robot.js";
 import { switchTheme } from "./theme.js";
@@ -9,8 +10,9 @@ export const KEYS = [
   ["Space", "pause the view, or back to live; the robot continues"],
   ["← →", "one frame back or forward; with Shift one second"],
   ["L", "back to live"],
-  ["1 … 9, 0", "open a panel"],
-  ["W", "open what-if"],
+  ["1 … 9, 0, O, W", "open a panel"],
+  ["P", "pause or resume the run, if its pace can be set"],
+  [".", "run one frame of a paused run"],
   ["/", "search in parameters, world, log or scripts"],
   ["N", "write a note"],
   ["U", "undo the last change of a parameter"],
@@ -58,6 +60,8 @@ export function onKey(event, actions) {
     ArrowRight: () => move(event, 1),
     t: switchTheme,
     u: undoParameter,
+    p: togglePause,
+    ".": runOneFrame,
     a: () => {
       location.hash = location.hash === "#audience" ? "" : "#audience";
     },

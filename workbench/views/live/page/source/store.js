@@ -75,6 +75,7 @@ export class Store {
     this.dropped = 0; // times that the robot dropped messages because the connection is slow
     this.bad = 0; // messages that could not be read or drawn
     this.badText = "";
+    this.isStill = false; // the run is paused, so that the newest frame is complete
     this.clear();
   }
 
@@ -227,7 +228,7 @@ export class Store {
   /// The index of the frame that the panels show, -1 before the first. Live, it is the last complete one.
   shownIndex() {
     if (this.instant !== null) return Math.max(0, Math.min(this.indexAt(this.instant), this.frames.length - 1));
-    return this.frames.length > 1 ? this.frames.length - 2 : this.frames.length - 1;
+    return this.frames.length > 1 && !this.isStill ? this.frames.length - 2 : this.frames.length - 1;
   }
 
   shown() {

@@ -4,8 +4,8 @@ import { useEffect, useRef } from "preact/hooks";
 
 import { onChange } from "../ticker.js";
 
-/// `draw(context, width, height)` in CSS pixels; `interval`: ms.
-export function Canvas({ draw, interval = 33, label, onPoint, className = "" }) {
+/// `draw(context, width, height)` in CSS pixels; `interval`: ms; `handlers`: of more events.
+export function Canvas({ draw, interval = 33, label, onPoint, handlers = {}, className = "" }) {
   const canvas = useRef(null);
   const drawn = useRef(draw);
   drawn.current = draw;
@@ -38,5 +38,7 @@ export function Canvas({ draw, interval = 33, label, onPoint, className = "" }) 
     const box = canvas.current.getBoundingClientRect();
     onPoint?.(event.clientX - box.left, event.clientY - box.top, box.width, box.height);
   };
-  return <canvas ref={canvas} class={`canvas ${className}`} role="img" aria-label={label} onClick={point} />;
+  return (
+    <canvas ref={canvas} class={`canvas ${className}`} role="img" aria-label={label} onClick={point} {...handlers} />
+  );
 }

@@ -12,6 +12,7 @@ import { degrees, meters } from "../format.js";
 import { store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { changedByUser, useChanges } from "../ticker.js";
+import { Carry } from "./carry.js";
 
 const HINTS = {
   percepts: "Solid: matches the field at the believed pose. Hollow: rejected by the pose filter. Pale: not used by it.",
@@ -66,8 +67,17 @@ function numbersAt(plan, picked) {
   return [`Point: x ${meters(picked.x)}, y ${meters(picked.y)}, ${meters(distance)} from the believed pose`];
 }
 
-function Numbers({ plan, picked }) {
+function Numbers({ plan, picked, carry }) {
   useChanges(100);
+  const carried = carry.lines();
+  if (carried.length)
+    return (
+      <div class="numbers" role="status">
+        {carried.map((line) => (
+          <div key={line}>{line}</div>
+        ))}
+      </div>
+    );
   if (!picked.current || !plan.current) return null;
   return (
     <div class="numbers" role="status">
@@ -91,8 +101,11 @@ function Numbers({ plan, picked }) {
 function Field() {
   const plan = useRef(null);
   const picked = useRef(null);
+  const carry = useRef(null);
+  carry.current ??= new Carry(plan);
   const draw = (context, width, height) => {
     plan.current = drawField(context, width, height, settings.layers);
+    carry.current.draw(context, drawRobot);
     if (!picked.current) return;
     const [u, v] = plan.current.at(picked.current.x, picked.current.y);
     context.strokeStyle = "#fff";
@@ -100,6 +113,7 @@ function Field() {
     context.strokeRect(u - 4, v - 4, 8, 8);
   };
   const pick = (u, v) => {
+    if (carry.current.ended) return;
     const [x, y] = plan.current.meters(u, v);
     picked.current = { x, y };
     changedByUser();
@@ -108,8 +122,13 @@ function Field() {
     <div class="fill column">
       <Layers />
       <div class="stage">
-        <Canvas draw={draw} onPoint={pick} label="The field from above, with the poses of the robot" />
-        <Numbers plan={plan} picked={picked} />
+        <Canvas
+          draw={draw}
+          onPoint={pick}
+          handlers={carry.current.handlers}
+          label="The field from above, with the poses of the robot"
+        />
+        <Numbers plan={plan} picked={picked} carry={carry.current} />
       </div>
     </div>
   );

@@ -6,6 +6,7 @@ import cameras from "./cameras.jsx";
 import field from "./field.jsx";
 import log from "./log.jsx";
 import notes from "./notes.jsx";
+import operator from "./operator.jsx";
 import parameters from "./parameters.jsx";
 import scripts from "./scripts.jsx";
 import timeline from "./timeline.jsx";
@@ -13,4 +14,17 @@ import wall from "./wall.jsx";
 import whatIf from "./what_if.jsx";
 import world from "./world.jsx";
 
-export const panels = [field, wall, cameras, behaviors, parameters, world, log, notes, timeline, scripts, whatIf];
+export const panels = [
+  field,
+  wall,
+  cameras,
+  behaviors,
+  parameters,
+  world,
+  log,
+  notes,
+  operator,
+  timeline,
+  scripts,
+  whatIf,
+];
