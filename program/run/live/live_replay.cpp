@@ -82,7 +82,8 @@ class LiveReplay {
                                             FrameInputs unchanged;
                                             return commands_.obey(words, unchanged);
                                           },
-                                          nullptr, [this] { return engine_; },
+                                          nullptr,
+                                          [this] { return engine_; },
                                           make_what_if(options_.live, LiveLoad::usual)});
     shown_.emplace(*view_, commands_);
   }
