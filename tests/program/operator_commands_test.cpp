@@ -40,7 +40,7 @@ class OperatorAtThePrompt : public ::testing::Test {
     std::ostringstream out;
     LiveConsole console(ends[0], out,
                         {.parameters = [this] { return run->loop.engine->parameters(); },
-                         .running = [this] { return &run->loop.engine->scripts(); },
+                         .engine = [this] { return &*run->loop.engine; },
                          .controls = &run->controls});
     RunParts parts = run->parts({&console}, {&console});
     parts.stop = [&] { return console.wants_to_quit(); };

@@ -144,8 +144,9 @@ test("the lines of the open transitions follow an edit", async () => {
   writeFileSync(file, `-- one more line\n${readFileSync(file, "utf8")}`);
   await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().waitFor();
   await panel("behaviors").locator(".arrow.numbered").first().waitFor();
-  await line.click();
-  await page.locator("[data-panel=scripts] .cm-activeLine", { hasText: '"lifted"' }).waitFor();
+  await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().click();
+  const text = readFileSync(file, "utf8").split("\n")[before].trim(); // of whichever state is active
+  await page.locator("[data-panel=scripts] .cm-activeLine", { hasText: text }).waitFor();
   await page.keyboard.press("1");
   await page.keyboard.press("4");
   await page.getByRole("button", { name: "Show all behaviors" }).click();
