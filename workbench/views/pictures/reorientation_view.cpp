@@ -43,16 +43,21 @@ struct Sides {
   std::vector<Pose2> believed, mirrored, elsewhere;
 };
 
+/// Whether a pose is drawn; invalid ones are left out.
+bool is_drawn(const Pose2& pose) {
+  constexpr double kFarthest = 1000;  // m
+  return std::isfinite(pose.rotation) && pose.position.norm() < kFarthest;
+}
+
 Sides sides_of(const std::vector<Pose2>& particles, const Pose2& belief) {
-  constexpr double kNear = 1.0;       // m, where one radian counts as one meter, as in a purge
-  constexpr double kFarthest = 1000;  // m, of a particle that is drawn
+  constexpr double kNear = 1.0;  // m, where one radian counts as one meter, as in a purge
   const auto apart = [](const Pose2& a, const Pose2& b) {
     return std::hypot((a.position - b.position).norm(), angle_difference(a.rotation, b.rotation));
   };
   const Pose2 mirrored = reflect(belief);
   Sides sides;
   for (const Pose2& particle : particles) {
-    if (!std::isfinite(particle.rotation) || !(particle.position.norm() < kFarthest)) continue;
+    if (!is_drawn(particle)) continue;
     if (apart(particle, belief) <= kNear) {
       sides.believed.push_back(particle);
     } else if (apart(particle, mirrored) <= kNear) {
@@ -97,8 +102,8 @@ std::vector<LegendEntry> legend_of(const std::vector<ReorientationSnapshot>& reo
     const ReorientationSnapshot& one = reorientations[row];
     note(one.particles_before, one.belief_before);
     note(one.particles_after, one.belief_after);
-    belief = Pose2();
-    if (one.truth) truth = Pose2();
+    if (is_drawn(one.belief_before) || is_drawn(one.belief_after)) belief = Pose2();
+    if (one.truth && is_drawn(*one.truth)) truth = Pose2();
   }
   return pose_entries(layers_of(any, truth, belief));
 }
