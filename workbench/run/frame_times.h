@@ -35,12 +35,13 @@ class TimeHistogram {
   double longest_ = 0.0;
 };
 
-/// Durations of a run's frames, with and without the robot's part (a simulated robot renders).
+/// Durations of a run's frames, with and without the robot's part (a simulated robot renders). Both include the
+/// observers: log, recorder, live view.
 class FrameTimes : public Observer {
  public:
   void observe(const FrameRecord& /*frame*/, const SceneTruth& scene) override {
-    whole_.add(scene.observing + scene.stepping);
-    own_.add(scene.stepping);
+    whole_.add(scene.observing + scene.stepping + scene.showing);
+    own_.add(scene.stepping + scene.showing);
   }
 
   TimeQuantiles whole() const { return whole_.quantiles(); }

@@ -18,6 +18,7 @@ struct SceneTruth {
   ScenarioRecord scenario;           ///< empty without a scenario
   double observing = 0.0;  ///< s in wall-clock time that the robot took to observe (a simulated robot: to render)
   double stepping = 0.0;   ///< s in wall-clock time that the engine took
+  double showing = 0.0;    ///< s in wall-clock time that the observers of the frame before took; not recorded
 };
 
 template <typename Visit, ConstOr<SceneTruth> T>

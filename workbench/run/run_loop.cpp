@@ -68,7 +68,9 @@ std::optional<RunEnd> RunLoop::step() {
   }
   show_requests();
   if (parts_.controls != nullptr) parts_.controls->pace().count_frame();
+  const Clock::time_point end = Clock::now();
   for (Observer* observer : parts_.observers) observer->observe(record, scene_);
+  scene_.showing = seconds_since(end);
   if (parts_.in_real_time && parts_.robot.clock == RobotInstance::Clock::simulated) wait();
   return std::nullopt;
 }
