@@ -50,6 +50,15 @@ RunEnd LiveRun::run(LiveRunParts live) {
     live.parts.sources.insert(live.parts.sources.begin() + (live.edits != nullptr ? 2 : 0), live.live);
     observers.push_back(live.live);
   }
+  if (live.live != nullptr) {
+    // The user who tunes it needs time to save the values.
+    live.parts.continues = [this, view = live.live, is_told = false]() mutable {
+      if (!is_told && !view->has_viewers()) return false;
+      if (!std::exchange(is_told, true))
+        tell("the scenario is over; the run continues for its viewers, until Ctrl-C or --seconds");
+      return true;
+    };
+  }
   live.parts.stop = [this, stop = std::move(live.parts.stop)] {
     return is_ended_by_hand(console_) || (stop && stop());
   };

@@ -31,7 +31,7 @@ RunLoop::RunLoop(RunParts parts) : parts_(std::move(parts)) {}
 std::optional<RunEnd> RunLoop::is_over() const {
   // Wait for the first frame, because without it there is no record and no picture.
   if (any_frame_ && parts_.stop && parts_.stop()) return RunEnd::stopped;
-  if (scene_.scenario.verdict) return RunEnd::verdict;
+  if (scene_.scenario.verdict && !(parts_.continues && parts_.continues())) return RunEnd::verdict;
   const double time = parts_.engine.record().world.time - first_time_;
   if (any_frame_ && parts_.longest > 0.0 && time >= parts_.longest) return RunEnd::time_up;
   return std::nullopt;

@@ -32,10 +32,11 @@ struct RunParts {
   RecordedBehaviors* behaviors = nullptr;  ///< the view of them for the scenario
   std::vector<InputSource*> sources;
   std::vector<Observer*> observers;
-  std::function<bool()> stop;       ///< called after each frame; may be empty
-  double longest = 0.0;             ///< s of the robot's time, from its first frame; 0: no limit
-  bool in_real_time = false;        ///< waits for the wall clock if the robot does not
-  RunControls* controls = nullptr;  ///< requests of the user; nullptr: no user
+  std::function<bool()> stop;         ///< called after each frame; may be empty
+  double longest = 0.0;               ///< s of the robot's time, from its first frame; 0: no limit
+  bool in_real_time = false;          ///< waits for the wall clock if the robot does not
+  RunControls* controls = nullptr;    ///< requests of the user; nullptr: no user
+  std::function<bool()> continues{};  ///< whether it continues after the scenario's verdict; may be empty
 };
 
 class RunLoop {

@@ -44,6 +44,8 @@ class LiveView : public InputSource, public Observer {
   /// "http://127.0.0.1:8765/?token=..."
   std::string link() const;
 
+  bool has_viewers() const { return viewers_.any(); }
+
   void add_to(FrameInputs& inputs) override;
   void add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) override;
   void before(const FrameInputs& inputs, const FrameLoop& engine) override;
