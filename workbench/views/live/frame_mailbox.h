@@ -31,6 +31,7 @@ struct FrameCopy {
 class FrameMailbox {
  public:
   static constexpr std::size_t kMostWaiting = 4;
+  static constexpr std::size_t kMostEvents = 300;  ///< frames of which only events and log lines wait
 
   /// An empty copy to be filled; never nullptr.
   std::unique_ptr<FrameCopy> get_free() {
@@ -42,7 +43,7 @@ class FrameMailbox {
   void give_back(std::unique_ptr<FrameCopy> copy) {
     if (free_.size() <= kMostWaiting) free_.push_back(std::move(copy));
   }
-  /// Drops the oldest frame if it is full.
+  /// If it is full, drops the oldest frame, except its events and log lines.
   void add(std::unique_ptr<FrameCopy> copy) {
     if (waiting_.size() == kMostWaiting) {
       // A frame that begins something is needed later, so the next one begins it, with the messages of a begin.
@@ -54,7 +55,7 @@ class FrameMailbox {
         const auto index = static_cast<std::size_t>(topic);
         if (dropped.begins && dropped.topics.test(index)) next.topics.set(index);
       }
-      give_back(std::move(waiting_.front()));
+      keep_events(std::move(waiting_.front()));
       waiting_.pop_front();
       ++dropped_;
     }
@@ -62,15 +63,28 @@ class FrameMailbox {
   }
   /// nullptr: no frame waits.
   std::unique_ptr<FrameCopy> take() {
-    if (waiting_.empty()) return nullptr;
-    std::unique_ptr<FrameCopy> copy = std::move(waiting_.front());
-    waiting_.pop_front();
+    std::deque<std::unique_ptr<FrameCopy>>& from = events_.empty() ? waiting_ : events_;
+    if (from.empty()) return nullptr;
+    std::unique_ptr<FrameCopy> copy = std::move(from.front());
+    from.pop_front();
     return copy;
   }
-  bool is_empty() const { return waiting_.empty(); }
+  bool is_empty() const { return waiting_.empty() && events_.empty(); }
   std::uint64_t dropped() const { return dropped_; }
 
  private:
+  void keep_events(std::unique_ptr<FrameCopy> copy) {
+    ViewerTopics events;
+    events.set(static_cast<std::size_t>(ViewerTopic::events)).set(static_cast<std::size_t>(ViewerTopic::log));
+    copy->topics &= events;
+    copy->begins = false;
+    copy->has_image = {};
+    if (copy->topics.none() || events_.size() == kMostEvents) return give_back(std::move(copy));
+    copy->images = {};  // large, and not needed
+    events_.push_back(std::move(copy));
+  }
+
+  std::deque<std::unique_ptr<FrameCopy>> events_;  // older than those that wait
   std::deque<std::unique_ptr<FrameCopy>> waiting_;
   std::vector<std::unique_ptr<FrameCopy>> free_;
   std::uint64_t dropped_ = 0;

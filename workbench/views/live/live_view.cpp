@@ -109,6 +109,7 @@ void LiveView::hand_over(std::vector<FrameAnswer>& answers) {
 }
 
 void LiveView::add_to(FrameInputs& inputs) {
+  viewers_.set_still(false);
   if (!has_room_for_answers()) return;
   while (tasks_.pending() < kMostTasks) {
     std::optional<live::FrameRequest> request = requests_.take();
@@ -118,6 +119,7 @@ void LiveView::add_to(FrameInputs& inputs) {
 }
 
 void LiveView::add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) {
+  viewers_.set_still(true);
   for (std::size_t i = 0; i < kMostTasks && has_room_for_answers(); ++i) {
     std::optional<live::FrameRequest> request = requests_.take();
     if (!request) break;

@@ -64,9 +64,10 @@ std::string Viewers::subscribe(ViewerId id, const Subscribe::One& one) {
     return "subscribe: subscription " + std::to_string(one.id) + " is in use; choose another id";
   viewer.subscriptions[*topic] = one.id;
   update_flags();
-  if (!kViewerTopics[*topic].lasts) return "";
+  const bool lasts = kViewerTopics[*topic].lasts;
+  if (!lasts && !is_still_.load(std::memory_order_relaxed)) return "";
   if (last_[*topic].message) send_data(viewer, *topic, last_[*topic].time, last_[*topic].message);
-  has_new_subscriber_ = true;
+  if (lasts) has_new_subscriber_ = true;
   return "";
 }
 
@@ -106,7 +107,7 @@ void Viewers::publish(ViewerTopic topic, std::uint64_t time, std::string message
   const auto index = static_cast<std::size_t>(topic);
   const auto shared = std::make_shared<const std::string>(std::move(message));
   const std::lock_guard lock(mutex_);
-  if (kViewerTopics[index].lasts) last_[index] = {time, shared};
+  if (topic != ViewerTopic::events && topic != ViewerTopic::log) last_[index] = {time, shared};
   for (const auto& [id, viewer] : viewers_)
     if (viewer.subscriptions[index]) send_data(viewer, index, time, shared);
 }

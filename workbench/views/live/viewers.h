@@ -36,6 +36,8 @@ class Viewers {
 
   // For the thread of the frames, without waiting.
   ViewerTopics subscribed() const { return ViewerTopics(subscribed_.load(std::memory_order_relaxed)); }
+  /// Whether no new messages come: then a new subscriber receives the last one of each topic. Any thread may call it.
+  void set_still(bool still) { is_still_.store(still, std::memory_order_relaxed); }
   bool any() const { return any_.load(std::memory_order_relaxed); }
   bool any_watches() const { return any_watches_.load(std::memory_order_relaxed); }
   /// Whether a lasting topic has a new subscriber since the last call.
@@ -72,12 +74,12 @@ class Viewers {
 
   mutable std::mutex mutex_;  // protects all members below except the atomic ones
   std::map<ViewerId, Viewer> viewers_;
-  std::array<Last, kViewerTopicCount> last_;      // of lasting topics
+  std::array<Last, kViewerTopicCount> last_;
   std::map<std::string, ParameterValue> values_;  // as last sent
   ViewerId next_ = 1;
   Counts gone_;
   std::atomic<unsigned long> subscribed_ = 0;
-  std::atomic<bool> any_ = false, any_watches_ = false, has_new_subscriber_ = false;
+  std::atomic<bool> is_still_ = false, any_ = false, any_watches_ = false, has_new_subscriber_ = false;
 };
 
 }  // namespace reorient::live

@@ -224,6 +224,42 @@ TEST(FrameMailbox, PassesTheMessagesOfABeginOnIfTheFrameIsDropped) {
   EXPECT_FALSE(second->topics.test(static_cast<std::size_t>(ViewerTopic::field)));
 }
 
+TEST(FrameMailbox, KeepsTheEventsOfFramesThatItDrops) {
+  FrameMailbox mailbox;
+  constexpr std::size_t kFrames = 2 * FrameMailbox::kMostEvents;
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    std::unique_ptr<FrameCopy> copy = mailbox.get_free();
+    copy->time = static_cast<double>(i);
+    copy->topics.reset().set(static_cast<std::size_t>(ViewerTopic::world));
+    if (i % 2 == 1) copy->topics.set(static_cast<std::size_t>(ViewerTopic::events));
+    mailbox.add(std::move(copy));
+  }
+  std::vector<double> whole, events;
+  while (const std::unique_ptr<FrameCopy> copy = mailbox.take()) {
+    const bool is_whole = copy->topics.test(static_cast<std::size_t>(ViewerTopic::world));
+    (is_whole ? whole : events).push_back(copy->time);
+    EXPECT_TRUE(is_whole || whole.empty()) << "in the order of time";
+  }
+  EXPECT_EQ(whole.size(), FrameMailbox::kMostWaiting);
+  ASSERT_EQ(events.size(), kFrames / 2 - FrameMailbox::kMostWaiting / 2);
+  EXPECT_EQ(events.front(), 1.0);
+  EXPECT_TRUE(mailbox.is_empty());
+  EXPECT_EQ(mailbox.dropped(), kFrames - FrameMailbox::kMostWaiting);
+}
+
+TEST_F(ViewedRun, ShowsTheLastFrameToAViewerThatComesDuringAPause) {
+  start();
+  step();
+  const auto first = connect(), second = connect();
+  subscribe(*first, {ViewerTopic::world, ViewerTopic::pose});
+  sync(*first);
+  step();
+  EXPECT_TRUE(await_data(*first, ViewerTopic::pose).is_object());
+  live->add_while_paused(loop.inputs, loop.record(), scene);
+  subscribe(*second, {ViewerTopic::world});
+  EXPECT_TRUE(await_data(*second, ViewerTopic::world).is_object());
+}
+
 TEST_F(ViewedRun, SendsEventsOfAllFramesAlsoIfItShowsSome) {
   start({.every = 1000});
   step();
