@@ -324,7 +324,8 @@ class RunHelp : public HelpFormatter {
  protected:
   bool is_listed(const CLI::Option& option) const override {
     // The page of footage is full, and the pages of the other robots list it.
-    if (options_->robot == kFootage && option.check_name("--live-allow-origin")) return false;
+    if (options_->robot == kFootage && (option.check_name("--live-allow-origin") || option.check_name("--live-memory")))
+      return false;
     return HelpFormatter::is_listed(option) && (robots_that_use(option) & robot_named(options_->robot)) != 0;
   }
 

@@ -66,9 +66,7 @@ void add_live_options(CLI::App& parser, LiveOptions& options, const char* group)
       ->check(check_origin)
       ->needs(live)
       ->allow_extra_args(false);
-  parser
-      .add_option("--live-memory", options.memory,
-                  "MB of the latest frames to keep for what-if; 0: no what-if (default: 256; with a NAO: 0)")
+  parser.add_option("--live-memory", options.memory, "memory for what-if; 0: none (default: 256, nao: 0)")
       ->type_name("MB")
       ->group(group)
       ->check(CLI::Range(0.0, kMostMegabytes))

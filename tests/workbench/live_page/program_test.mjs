@@ -92,7 +92,7 @@ test("a what-if on a slider shows both futures, and the robot keeps its value", 
   await slider.press("Home");
   await page.getByText("The first decision that differs").waitFor();
   const verdict = await page.locator(".verdict").textContent();
-  assert.match(verdict, /the robot would have done this then: head_scan: /);
+  assert.match(verdict, /only the what-if does this: head_scan: /);
   assert.match(verdict, /\d+ frames from .* replayed in/);
   await panel.getByText("what if 0.5; the robot has 4").waitFor();
   await page.getByRole("button", { name: "Drop all" }).click();
@@ -268,10 +268,10 @@ test("the panel of the operator places, pushes and penalizes the robot, and refu
   await untilNoted("put_down at x 1.50 m, y -1.00 m, 90.0 degrees");
 });
 
-test("the page says that the robot is gone when the run ends", async () => {
+test("the page says that the run has ended", async () => {
   run.removeAllListeners("exit");
   run.kill("SIGINT");
-  await page.getByText("The robot is gone").first().waitFor();
+  await page.getByText("The run has ended").first().waitFor();
 });
 
 test("the console has no message", () => {

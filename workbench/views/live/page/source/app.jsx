@@ -10,7 +10,7 @@ import { AREAS, contentsOf, hidePanel, movePanel, openPanel, resetLayout } from 
 import { followRun, isRunPaused } from "./operator.js";
 import { Pace } from "./pace.jsx";
 import { panels } from "./panels/index.js";
-import { limits, link, store } from "./robot.js";
+import { endReason, limits, link, store } from "./robot.js";
 import { thought } from "./sentence.js";
 import { settings } from "./settings.js";
 import { switchTheme } from "./theme.js";
@@ -21,6 +21,7 @@ const STALE = 3000; // ms without a message after which the page says so
 const RECENT_DROPS = 10000; // ms
 const RETRY = 1000; // ms
 const LONG = 15000; // ms without a connection
+const ENDED = "the run has ended"; // the reason that the robot gives
 
 onTrial(() => openPanel("what_if"));
 
@@ -28,6 +29,8 @@ function connectionText() {
   const now = Date.now();
   if (link.state === "connecting") return { tone: "doubt", text: "Connecting to the robot…" };
   if (link.state === "closed") {
+    if (endReason().includes(ENDED))
+      return { tone: "wrong", text: "The run has ended. Another run prints another link. Trying again…" };
     const gone = duration((now - link.since) / 1000);
     const hint = now - link.since > LONG ? " A restarted run prints another link." : "";
     return { tone: "wrong", text: `The robot is gone for ${gone}. Trying again…${hint}` };
@@ -68,13 +71,19 @@ export function Thought() {
 function Notices() {
   useChanges(500);
   const lines = [...link.notices.values()].filter((notice) => notice.until === undefined || notice.until > Date.now());
+  // The user of a link with a token expects to tune.
+  if (link.refusal && location.search.includes("token=")) lines.push({ level: 1, message: link.refusal });
   if (store.bad)
     lines.push({ level: 1, message: `${store.bad} messages could not be read or drawn; the last: ${store.badText}` });
-  return lines.map(({ level, message }) => (
-    <div key={message} class={level >= 2 ? "notice error" : "notice"} role="alert">
-      {message}
+  return (
+    <div class="notices">
+      {lines.map(({ level, message }) => (
+        <div key={message} class={level >= 2 ? "notice error" : "notice"} role="alert">
+          {message}
+        </div>
+      ))}
     </div>
-  ));
+  );
 }
 
 function PanelMenu() {

@@ -23,6 +23,7 @@ export class Connection {
     this.nextId = 1;
     this.retry = FIRST_RETRY;
     this.lastHeard = 0;
+    this.reason = ""; // of the last end of the connection
     this.watch = setInterval(() => this.checkSilence(), 1000);
     this.open();
   }
@@ -38,7 +39,7 @@ export class Connection {
       this.lastHeard = Date.now();
       this.receive(event.data);
     };
-    socket.onclose = () => this.closed(socket);
+    socket.onclose = (event) => this.closed(socket, event.reason);
   }
 
   close() {
@@ -48,7 +49,7 @@ export class Connection {
     this.socket.close();
   }
 
-  closed(socket) {
+  closed(socket, reason = "") {
     if (socket !== this.socket) return;
     this.channels.clear();
     this.subscriptions.clear();
@@ -59,6 +60,7 @@ export class Connection {
       call.reject(new Error("the connection was closed"));
     }
     this.calls.clear();
+    this.reason = reason;
     this.setState("closed");
     this.timer = setTimeout(() => this.open(), this.retry);
     this.retry = Math.min(LONGEST_RETRY, this.retry + 500);

@@ -30,6 +30,7 @@ export const link = {
 
 let connection = null;
 let session = null;
+let forget = () => {};
 let nextId = 1;
 let subscribed = false;
 
@@ -45,7 +46,10 @@ const listeners = {
     document.title = info.name;
     link.notices.clear();
     link.refusal = "";
-    if (session !== null && info.sessionId !== session) store.clear();
+    if (session !== null && info.sessionId !== session) {
+      store.clear();
+      forget();
+    }
     session = info.sessionId;
     parameters.begin(session);
   },
@@ -85,6 +89,11 @@ const listeners = {
   },
 };
 
+/// Sets what is called when another run begins.
+export function onOtherRun(call) {
+  forget = call;
+}
+
 export function connect(url) {
   connection = new Connection(url, TOPICS, (name, value) => {
     listeners[name](value);
@@ -106,6 +115,8 @@ export const canSetParameters = () =>
 /// Whether the robot offers a service; `changes`: one that changes something.
 export const canCall = (service, changes = false) => link.services.has(service) && !(changes && link.refusal);
 /// Whether the robot is a recording with a time bar.
+/// Why the robot ended the connection; an empty text: it did not say.
+export const endReason = () => connection?.reason ?? "";
 export const isReplay = () => connection.has("playbackControl");
 export const call = (service, value, timeout) => connection.call(service, value, timeout);
 

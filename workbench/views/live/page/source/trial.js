@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A what-if: changes that the robot does not have, and what it would have done with them in the last seconds.
-import { call, canCall, parameters, setParameter, store } from "./robot.js";
+import { call, canCall, onOtherRun, parameters, setParameter, store } from "./robot.js";
 import { changedByUser } from "./ticker.js";
 
 const TIMEOUT = 120000; // ms; a slow computer may need long
@@ -25,6 +25,14 @@ let asked = 0; // questions so far; only the answer to the last one counts
 export function onTrial(call) {
   show = call;
 }
+
+// The answer is that of the run before.
+onOtherRun(() => {
+  trial.parameters.clear();
+  trial.scripts.clear();
+  Object.assign(trial, { isOn: false, answer: null, failure: "", isAsking: false });
+  ++asked;
+});
 
 export const canTry = () => canCall("what_if", true);
 export const isTrying = () => trial.parameters.size > 0 || trial.scripts.size > 0;

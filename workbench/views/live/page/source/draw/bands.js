@@ -12,11 +12,24 @@ const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300];
 const REORIENTATIONS = ["flip_pose", "purge_reflection", "reset_orientation"];
 const STATUS = { usable: "good", lost: "amber", fresh: "amber", unlearned: "blue" };
 
-/// The color of a state: the same name has the same color in every band.
-function colorOf(value, isDark) {
+const hues = new Map(); // name of a state: index of its hue
+
+/// An index of HUES that no other state has, as long as there is one.
+function hueOf(value) {
+  if (hues.has(value)) return hues.get(value);
   let hash = 0;
   for (const letter of value) hash = (hash * 31 + letter.charCodeAt(0)) >>> 0;
-  return isDark ? `hsl(${HUES[hash % 10]} 32% 34%)` : `hsl(${HUES[hash % 10]} 48% 82%)`;
+  const used = new Set(hues.values());
+  let index = hash % HUES.length;
+  for (let i = 0; i < HUES.length && used.has(index); ++i) index = (index + 3) % HUES.length;
+  hues.set(value, index);
+  return index;
+}
+
+/// The color of a state: the same name has the same color in every band.
+function colorOf(value, isDark) {
+  const hue = HUES[hueOf(value)];
+  return isDark ? `hsl(${hue} 32% 34%)` : `hsl(${hue} 48% 82%)`;
 }
 
 function clipped(context, text, width) {

@@ -305,7 +305,11 @@ function ParametersPanel() {
         )}
         {!found.length && (
           <li class="empty">
-            {parameters.all.size ? "No parameter matches." : "The robot has not sent its parameters yet."}
+            {!parameters.all.size
+              ? "The robot has not sent its parameters yet."
+              : filter === "file" && !words.length
+                ? `All parameters have the values of ${parameters.file.name}.`
+                : "No parameter matches."}
           </li>
         )}
       </ul>

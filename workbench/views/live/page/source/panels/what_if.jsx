@@ -3,7 +3,7 @@
 import { Canvas } from "../draw/canvas.jsx";
 import { drawTrial, trialBandsHeight } from "../draw/trial.js";
 import { entered, seconds } from "../format.js";
-import { limits, link, parameters, store } from "../robot.js";
+import { canSetParameters, limits, link, parameters, store } from "../robot.js";
 import { theme } from "../theme.js";
 import { useChanges } from "../ticker.js";
 import {
@@ -41,7 +41,7 @@ function Tried() {
         </span>
       ))}
       {trial.parameters.size > 0 && (
-        <button class="button" onClick={applyParameters} title="Set these values on the robot">
+        <button class="button" disabled={!canSetParameters()} onClick={applyParameters} title="Set these values on the robot">
           Apply to the robot
         </button>
       )}
@@ -60,7 +60,7 @@ function Verdict({ answer }) {
         {decision ? (
           <>
             <b>The first decision that differs</b> is at {seconds(decision.time)}:{" "}
-            {decision.recorded ? "the robot did this, but would not have done it then" : "the robot would have done this then"}:{" "}
+            {decision.recorded ? "only the robot did this" : "only the what-if does this"}:{" "}
             <b>{decision.text}</b>
           </>
         ) : (
@@ -69,7 +69,7 @@ function Verdict({ answer }) {
       </div>
       <div class="soft">
         {action
-          ? `From ${seconds(guess)} on it is a guess: the robot would have acted differently (${action.what}), so it would have seen something else.`
+          ? `From ${seconds(guess)} on it is a guess, because the robot would have acted differently and seen something else (${action.what}: ${action.recorded}, in the what-if: ${action.tried}).`
           : "The robot would have acted the same in each frame, so all of it is exact."}{" "}
         {answer.gap && "Some frames in between are missing. "}
         {answer.frames} frames from {seconds(answer.from)} to {seconds(answer.to)}, replayed in{" "}
