@@ -113,7 +113,8 @@ std::shared_ptr<const RunningMachine> FrameTasks::running_machine(const std::str
   if (engine == nullptr) throw std::runtime_error("expected a robot with behaviors, found none");
   std::vector<std::string> names;
   for (const MachineDefinition* const machine : engine->machines()) {
-    if (machine->name == name) return std::make_shared<const RunningMachine>(*machine, engine->scripts());
+    if (machine->name == name)
+      return std::make_shared<const RunningMachine>(RunningMachine{*machine, engine->scripts()});
     names.push_back(machine->name);
   }
   throw std::runtime_error("unknown machine '" + as_line(name) + "'" + did_you_mean(name, names));

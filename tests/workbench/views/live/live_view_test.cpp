@@ -688,7 +688,7 @@ TEST_F(ViewedRun, DescribesAMachineAsItRuns) {
   step();
   const json answer = described();
   EXPECT_NEAR(answer["time"], loop.world().time, 1e-9);
-  const json machine = answer["machine"];
+  const json& machine = answer["machine"];
   EXPECT_EQ(machine["states"].size(), 3u);
   ASSERT_EQ(machine["transitions"].size(), 1u);
   EXPECT_EQ(machine["transitions"][0]["line"], 4);
