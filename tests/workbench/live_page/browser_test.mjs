@@ -495,7 +495,7 @@ test("a page that may change nothing says why, and offers nothing that changes s
   robot.refusal = "to change something, open the link with the token";
   const watcher = await open({ viewport: { width: 1366, height: 768 } }, "?token=1");
   await watcher.keyboard.press("8");
-  await watcher.getByText(robot.refusal).waitFor();
+  await watcher.getByRole("region", { name: "Notes" }).getByText(robot.refusal).waitFor();
   assert.equal(await watcher.locator("#note").count(), 0);
   await watcher.keyboard.press("5");
   await watcher.locator(".parameter input[type=range]").first().waitFor();

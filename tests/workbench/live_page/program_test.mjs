@@ -145,8 +145,9 @@ test("the lines of the open transitions follow an edit", async () => {
   await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().waitFor();
   await panel("behaviors").locator(".arrow.numbered").first().waitFor();
   await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().click();
-  const text = readFileSync(file, "utf8").split("\n")[before].trim(); // of whichever state is active
-  await page.locator("[data-panel=scripts] .cm-activeLine", { hasText: text }).waitFor();
+  const text = readFileSync(file, "utf8").split("\n")[before]; // of whichever state is active
+  await page.locator("[data-panel=scripts] .cm-editor.cm-focused").waitFor(); // focused when the cursor is at the line
+  assert.equal(await page.locator("[data-panel=scripts] .cm-activeLine").innerText(), text);
   await page.keyboard.press("1");
   await page.keyboard.press("4");
   await page.getByRole("button", { name: "Show all behaviors" }).click();

@@ -26,14 +26,6 @@ export function onTrial(call) {
   show = call;
 }
 
-// The answer is that of the run before.
-onOtherRun(() => {
-  trial.parameters.clear();
-  trial.scripts.clear();
-  Object.assign(trial, { isOn: false, answer: null, failure: "", isAsking: false });
-  ++asked;
-});
-
 export const canTry = () => canCall("what_if", true);
 export const isTrying = () => trial.parameters.size > 0 || trial.scripts.size > 0;
 
@@ -110,6 +102,12 @@ export function dropAll() {
   trial.scripts.clear();
   clear();
 }
+
+// The answer is that of the run before.
+onOtherRun(() => {
+  trial.isOn = false;
+  dropAll();
+});
 
 /// Sets the tried parameters on the robot. Scripts are saved in the editor.
 export function applyParameters() {

@@ -10,6 +10,7 @@ import {
   editorElement,
   findingsOf,
   goTo,
+  goToOpenedLine,
   isEdited,
   listFiles,
   look,
@@ -112,6 +113,7 @@ function OpenScript({ script }) {
   useEffect(() => {
     place.current.append(editorElement);
   }, []);
+  useEffect(goToOpenedLine);
   const onKeyDown = (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key !== "s") return;
     event.preventDefault();

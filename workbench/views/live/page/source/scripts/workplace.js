@@ -7,8 +7,9 @@ import { findingOf, reloadResult } from "./reload_result.js";
 
 const EDITOR = "/editor.js";
 
-/// files: null before they are listed; open: the shown EditedScript; problem: why there is no list or no editor.
-export const workplace = { files: null, open: null, problem: "" };
+/// files: null before they are listed; open: the shown EditedScript; line: where the cursor goes when the panel is drawn,
+/// or 0; problem: why there is no list or no editor.
+export const workplace = { files: null, open: null, line: 0, problem: "" };
 
 const scripts = new Map(); // file: EditedScript
 let editor = null; // made with the first script
@@ -47,12 +48,14 @@ async function loadEditor() {
   });
 }
 
-export async function openScript(file) {
+/// `line`: where the cursor goes, 0: where it was.
+export async function openScript(file, line = 0) {
   try {
     await loadEditor();
     if (!scripts.has(file)) await begin(file);
     leave();
     workplace.open = scripts.get(file);
+    workplace.line = line;
     editor.show(workplace.open.state);
     marked = null;
     workplace.problem = "";
@@ -154,6 +157,12 @@ function refresh() {
 }
 
 export const goTo = (finding) => editor.goTo(finding.line, finding.column);
+
+/// To be called when the editor is in the page: only then it scrolls and takes the focus.
+export function goToOpenedLine() {
+  if (workplace.line > 0) goTo({ line: workplace.line, column: 0 });
+  workplace.line = 0;
+}
 
 /// Regularly: compares with the disk, and with what this page may do.
 export function look() {
