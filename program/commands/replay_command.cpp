@@ -58,20 +58,6 @@ WhatIfChanges other_than_recorded(const FrameLoop& engine, const ReplayOptions& 
   return changes;
 }
 
-/// Checks the first frame, in which the changes are applied.
-class RequireTaken : public Observer {
- public:
-  explicit RequireTaken(const WhatIfChanges& changes) : changes_(changes) {}
-
-  void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
-    if (!std::exchange(is_taken_, true)) require_taken(changes_, frame);
-  }
-
- private:
-  const WhatIfChanges& changes_;
-  bool is_taken_ = false;
-};
-
 void print_difference(const char* what, const Difference& difference, std::ostream& out) {
   out << fmt::format("{} frame {} at {:.2f} s: {}\n  recorded: {}\n  replayed: {}\n", what, difference.frame,
                      difference.time, as_line(difference.what), as_line(difference.recorded),
@@ -80,11 +66,8 @@ void print_difference(const char* what, const Difference& difference, std::ostre
 
 /// The first decision in which the runs differ.
 void print_first_decision(const ReplayComparison& comparison, std::ostream& out) {
-  const auto& events = comparison.events();
-  const auto first = std::find_if(events.begin(), events.end(), [](const ReplayComparison::Event& event) {
-    return event.recorded != event.replayed;
-  });
-  if (first == events.end()) {
+  const std::optional<ReplayComparison::Event> first = comparison.first_decision();
+  if (!first) {
     out << "no decision of a behavior differs\n";
   } else {
     out << fmt::format("the first decision that differs is at {:.2f} s, {}:\n  {}\n", first->time,
@@ -125,7 +108,7 @@ int replay(const ReplayOptions& options, std::ostream& out, std::ostream& err) {
   const auto begin = std::chrono::steady_clock::now();
   while (const FrameLoop* const engine = again.next_stretch()) {
     WhatIfSource changed(options.asks_what_if() ? other_than_recorded(*engine, options) : WhatIfChanges());
-    RequireTaken taken(changed.changes());
+    RequireTaken taken(changed);
     again.run({&changed}, {&digest, &comparison, &taken}, stop);
     last_time = engine->record().world.time;
     if (options.asks_what_if()) break;  // another stretch would begin with the recorded state, without the changes

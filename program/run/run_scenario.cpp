@@ -20,7 +20,6 @@
 #include "program/run/simulation.h"
 #include "program/safe_output.h"
 #include "workbench/files/atomic_file.h"
-#include "workbench/files/field_file.h"
 #include "workbench/files/home.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/run/digest_observer.h"
@@ -57,7 +56,7 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   const RobotInstance& robot = run.live.parts.robot;
   RunControls controls(robot.the_operator != nullptr && robot.truth != nullptr,
                        options.realtime && robot.clock == RobotInstance::Clock::simulated);
-  if (run.field) controls.set_field(*run.field);
+  controls.set_field(run.field);
   run.subject.controls = &controls;
   LiveConsole console(STDIN_FILENO, out, run.subject, history_path());
   const LiveViewPointer view =
@@ -136,7 +135,7 @@ int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostrea
                                    .kept_parameters = [&] { return simulation.kept_parameters(); },
                                    .scripts = [&] { return edits->known(); },
                                    .engine = [&] { return &simulation.engine(); }},
-                       .field = load_field(simulation.venue().field)},
+                       .field = simulation.field()},
                       guests, out, err);
 }
 

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct PreparedRun {
   LiveRunParts live;                       ///< without observers and a recording
   std::string venue;                       ///< room and field, for the user
   ConsoleSubject subject;                  ///< the objects that commands change
-  std::optional<FieldDimensions> field{};  ///< limits the poses that the operator sets
+  FieldDimensions field;                   ///< limits the poses that the operator sets
   std::function<std::string()> failure{};  ///< one line, once it is over: why the robot ended early; may be empty
 };
 

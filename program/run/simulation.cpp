@@ -125,7 +125,7 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   const RobotBody body = load_body(body_file(options.body));
   venue_ = venue_of(options, scenario_->setting(), body);
   FrameSetup setup = engine_setup(options, scripts, overrides);
-  setup.field = load_field(venue_.field);
+  field_ = setup.field = load_field(venue_.field);
   setup.behaviors = chosen_behaviors(options, scripts, scenario_->wanted_behaviors());
   setup.model = model_;
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/frame.h"
+#include "geometry/field_dimensions.h"
 #include "program/robots.h"
 #include "program/run/run_options.h"
 #include "program/run/venue.h"
@@ -46,6 +47,7 @@ class Simulation {
   RunParts parts();
 
   const Venue& venue() const { return venue_; }
+  const FieldDimensions& field() const { return field_; }
   /// The model at the start, in the axes of the team; nothing without a model.
   const std::optional<SavedModel>& model() const { return model_; }
   FrameLoop& engine() { return *engine_; }
@@ -62,6 +64,7 @@ class Simulation {
   std::set<std::string> files_;  ///< scenario and behaviors
   std::unique_ptr<ScenarioHost> scenario_;
   Venue venue_;
+  FieldDimensions field_;
   RobotInstance robot_;
   std::vector<Parameter> robot_parameters_;
   std::optional<SavedModel> model_;

@@ -183,6 +183,12 @@ void ReplayComparison::observe(const FrameRecord& frame, const SceneTruth& /*sce
   if (!first_action_) first_action_ = first_difference_in_action(recorded, frame);
 }
 
+std::optional<ReplayComparison::Event> ReplayComparison::first_decision() const {
+  const auto first =
+      std::find_if(events_.begin(), events_.end(), [](const Event& event) { return event.recorded != event.replayed; });
+  return first == events_.end() ? std::nullopt : std::optional(*first);
+}
+
 void ReplayComparison::add_events(const FrameRecord& recorded, const FrameRecord& replayed) {
   std::vector<std::string> now = events_of(replayed);
   for (std::string& text : events_of(recorded)) {

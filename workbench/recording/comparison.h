@@ -49,6 +49,8 @@ class ReplayComparison : public Observer {
   /// The first kMostEvents, in the order of time.
   const std::vector<Event>& events() const { return events_; }
   static constexpr std::size_t kMostEvents = 10000;
+  /// The first event that only one of the two has.
+  std::optional<Event> first_decision() const;
 
  private:
   void add_events(const FrameRecord& recorded, const FrameRecord& replayed);

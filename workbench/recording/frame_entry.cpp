@@ -33,6 +33,16 @@ void digest_topics(std::span<const std::byte> bytes, std::span<const std::size_t
   }
 }
 
+void take_frame(const FrameRecord& frame, const SceneTruth& scene, FrameEntry& entry,
+                std::vector<std::size_t>& places) {
+  entry.frame = frame.world.frame;
+  entry.time = frame.world.time;
+  entry.sides_changed = frame.world.sides_changed;
+  entry.record.clear();
+  write_record(frame, entry.record, digested_topics(), &places);
+  entry.scene = scene;
+}
+
 std::uint64_t nanoseconds(double seconds) {
   constexpr double kMost = 9e9;  // s
   return seconds > 0.0 && seconds < kMost ? static_cast<std::uint64_t>(std::llround(1e9 * seconds)) : 0;

@@ -75,6 +75,10 @@ struct FrameEntry {
   bool is_exact() const { return (!has_image[0] || image_is_exact[0]) && (!has_image[1] || image_is_exact[1]); }
 };
 
+/// Fills the parts that come from the frame's record, and the positions of the topics in `entry.record`; not the
+/// digests, which take longer. Reuses the memory of both.
+void take_frame(const FrameRecord& frame, const SceneTruth& scene, FrameEntry& entry, std::vector<std::size_t>& places);
+
 /// Time in ns, as in MCAP. Invalid and negative times give 0.
 std::uint64_t nanoseconds(double seconds);
 

@@ -12,7 +12,6 @@
 #include <zstd.h>
 
 #include "engine/record/input_bytes.h"
-#include "engine/record/record_bytes.h"
 #include "geometry/bytes.h"
 #include "workbench/recording/packed_image.h"
 #include "workbench/run/batch_thread.h"
@@ -146,14 +145,8 @@ void RecentFrames::before(const FrameInputs& inputs, const FrameLoop& engine) {
 
 void RecentFrames::observe(const FrameRecord& frame, const SceneTruth& scene) {
   if (!item_) return;
-  FrameEntry& entry = item_->entry;
-  entry.frame = frame.world.frame;
-  last_frame_ = entry.frame;
-  entry.time = frame.world.time;
-  entry.sides_changed = frame.world.sides_changed;
-  entry.record.clear();
-  write_record(frame, entry.record, digested_topics(), &item_->places);
-  entry.scene = scene;
+  take_frame(frame, scene, item_->entry, item_->places);
+  last_frame_ = frame.world.frame;
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(std::move(item_));

@@ -177,15 +177,9 @@ void Recorder::choose_views(const Item& item) {
 
 void Recorder::observe(const FrameRecord& frame, const SceneTruth& scene) {
   if (!item_) return;
-  FrameEntry& entry = item_->entry;
-  entry.frame = frame.world.frame;
-  entry.time = frame.world.time;
-  entry.sides_changed = frame.world.sides_changed;
-  entry.record.clear();
-  write_record(frame, entry.record, digested_topics(), &item_->places);
+  take_frame(frame, scene, item_->entry, item_->places);
   item_->extra.clear();
   write_record(frame, item_->extra, wanted_);  // other observers may need more topics
-  entry.scene = scene;
   const std::size_t bytes = item_->bytes();
   bool is_slow = false, lacks_views = false;
   {

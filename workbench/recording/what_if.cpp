@@ -42,11 +42,8 @@ class BothRuns : public Observer {
   BothRuns(const Playback& playback, const WhatIfSource& source, WhatIfAnswer& answer)
       : playback_(playback), source_(source), answer_(answer) {}
 
-  void begin_stretch() { is_first_ = true; }
-
   void observe(const FrameRecord& frame, const SceneTruth& /*scene*/) override {
     if (!source_.has_begun()) return;
-    if (std::exchange(is_first_, false)) require_taken(source_.changes(), frame);
     const FrameRecord recorded = read_record(playback_.frame().entry.record);
     answer_.frames.push_back({frame.world.time, moment_of(recorded, recorded_), moment_of(frame, tried_)});
   }
@@ -56,7 +53,6 @@ class BothRuns : public Observer {
   const WhatIfSource& source_;
   WhatIfAnswer& answer_;
   StateWatch recorded_, tried_;
-  bool is_first_ = true;
 };
 
 template <typename Values, typename Changed>
@@ -78,7 +74,9 @@ void WhatIfSource::add_to(FrameInputs& inputs) {
   inputs.script_edits.insert(inputs.script_edits.end(), changes_.scripts.begin(), changes_.scripts.end());
 }
 
-void require_taken(const WhatIfChanges& changes, const FrameRecord& frame) {
+void RequireTaken::observe(const FrameRecord& frame, const SceneTruth& /*scene*/) {
+  if (!source_.has_begun() || std::exchange(is_checked_, true)) return;
+  const WhatIfChanges& changes = source_.changes();
   for (const ParameterOutcome& outcome : frame.parameter_changes) {
     const bool is_ours = std::any_of(changes.parameters.begin(), changes.parameters.end(),
                                      [&](const ParameterChange& change) { return change.name == outcome.name; });
@@ -98,18 +96,17 @@ WhatIfAnswer what_if(FrameSource& frames, const WhatIfQuestion& question, const 
   ReplayComparison comparison(replay.playback());
   while (replay.next_stretch() != nullptr) {
     source.begin_again();
-    both.begin_stretch();
-    replay.run({&source}, {&comparison, &both}, stop);
+    RequireTaken taken(source);
+    replay.run({&source}, {&taken, &comparison, &both}, stop);
     if (stop && stop()) throw WhatIfStopped("what_if: it was stopped");
   }
   if (answer.frames.empty()) throw std::runtime_error("what_if: no frame of this time can be replayed");
   answer.has_gap = replay.stretches() > 1 || replay.playback().skipped() > 0;
   // The frames before the changes are replayed only to get there.
   for (const ReplayComparison::Event& event : comparison.events()) {
-    if (event.time < answer.frames.front().time) continue;
-    if (!answer.first_decision && event.recorded != event.replayed) answer.first_decision = event;
-    answer.events.push_back(event);
+    if (event.time >= answer.frames.front().time) answer.events.push_back(event);
   }
+  answer.first_decision = comparison.first_decision();
   answer.first_action = comparison.first_action();
   return answer;
 }

@@ -43,8 +43,19 @@ class WhatIfSource : public InputSource {
   bool has_begun_ = false;
 };
 
-/// Throws std::runtime_error with one line if one of the changes was refused in the frame.
-void require_taken(const WhatIfChanges& changes, const FrameRecord& frame);
+/// Checks the frame in which the changes are added.
+class RequireTaken : public Observer {
+ public:
+  /// `source` must outlive it.
+  explicit RequireTaken(const WhatIfSource& source) : source_(source) {}
+
+  /// Throws std::runtime_error with one line if one of the changes was refused.
+  void observe(const FrameRecord& frame, const SceneTruth& scene) override;
+
+ private:
+  const WhatIfSource& source_;
+  bool is_checked_ = false;
+};
 
 struct WhatIfQuestion {
   WhatIfChanges changes;

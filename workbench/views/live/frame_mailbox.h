@@ -74,9 +74,7 @@ class FrameMailbox {
 
  private:
   void keep_events(std::unique_ptr<FrameCopy> copy) {
-    ViewerTopics events;
-    events.set(static_cast<std::size_t>(ViewerTopic::events)).set(static_cast<std::size_t>(ViewerTopic::log));
-    copy->topics &= events;
+    copy->topics &= moment_topics();
     copy->begins = false;
     copy->has_image = {};
     if (copy->topics.none() || events_.size() == kMostEvents) return give_back(std::move(copy));

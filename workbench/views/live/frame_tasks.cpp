@@ -108,16 +108,19 @@ void FrameTasks::start(DescribeMachine&& task, Pending& pending, FrameInputs& /*
   pending.machine = std::move(task.name);
 }
 
-std::shared_ptr<const RunningMachine> FrameTasks::running_machine(const std::string& name) const {
+void FrameTasks::describe_machine(const std::string& name, FrameAnswer& answer) const {
   const FrameLoop* const engine = subject_.engine ? subject_.engine() : nullptr;
-  if (engine == nullptr) throw std::runtime_error("expected a robot with behaviors, found none");
+  if (engine == nullptr) {
+    answer.failure = "expected a robot with behaviors, found none";
+    return;
+  }
   std::vector<std::string> names;
   for (const MachineDefinition* const machine : engine->machines()) {
     if (machine->name == name)
-      return std::make_shared<const RunningMachine>(RunningMachine{*machine, engine->scripts()});
+      answer.machine = std::make_shared<const RunningMachine>(RunningMachine{*machine, engine->scripts()});
     names.push_back(machine->name);
   }
-  throw std::runtime_error("unknown machine '" + as_line(name) + "'" + did_you_mean(name, names));
+  if (!answer.machine) answer.failure = as_line("unknown machine '" + as_line(name) + "'" + did_you_mean(name, names));
 }
 
 RunControls& FrameTasks::controls() const {
@@ -172,13 +175,7 @@ bool FrameTasks::complete(Pending& pending, const FrameRecord& frame, const Scen
       answer.failure = as_line(error.what());
     }
   }
-  if (pending.machine) {
-    try {
-      answer.machine = running_machine(*pending.machine);
-    } catch (const std::runtime_error& error) {
-      answer.failure = as_line(error.what());
-    }
-  }
+  if (pending.machine) describe_machine(*pending.machine, answer);
   answer.outcomes = pending.refused;
   for (const RequestedChange& change : pending.changed) {
     answer.outcomes.push_back(outcome_of_change(change.name, change.by_scenario, frame));
@@ -233,11 +230,7 @@ void FrameTasks::answer_while_paused(const FrameRecord& last, const SceneTruth& 
 FrameAnswer FrameTasks::refuse(const FrameRequest& request, const std::string& reason) const {
   FrameAnswer answer{.to = request.to, .run = run_state()};
   if (const auto* const task = std::get_if<DescribeMachine>(&request.task)) {
-    try {
-      answer.machine = running_machine(task->name);
-    } catch (const std::runtime_error& error) {
-      answer.failure = as_line(error.what());
-    }
+    describe_machine(task->name, answer);
   } else if (!std::holds_alternative<ListParameters>(request.task) && !std::holds_alternative<ShowRun>(request.task)) {
     answer.failure = reason;
   }

@@ -79,8 +79,8 @@ class FrameTasks {
   void start(ReloadScripts&& task, Pending& pending, FrameInputs& inputs);
   void start(AskPrompt&& task, Pending& pending, FrameInputs& inputs);
   void start(DescribeMachine&& task, Pending& pending, FrameInputs& inputs);
-  /// Throws std::runtime_error if the machine is unknown.
-  std::shared_ptr<const RunningMachine> running_machine(const std::string& name) const;
+  /// Adds the machine, or why it is missing.
+  void describe_machine(const std::string& name, FrameAnswer& answer) const;
   void start(ShowRun&& task, Pending& pending, FrameInputs& inputs);
   void start(ActAsOperator&& task, Pending& pending, FrameInputs& inputs);
   void start(ChangePace&& task, Pending& pending, FrameInputs& inputs);

@@ -134,11 +134,7 @@ ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
   ViewerTopics topics = viewers_.subscribed();
   begins_ = viewers_.take_new_subscriber() || begins_;
   const std::uint64_t frame = frames_++;
-  if (!is_shown(frame, options_.every)) {
-    ViewerTopics kept;
-    kept.set(index_of(ViewerTopic::events)).set(index_of(ViewerTopic::log));
-    return topics & kept;
-  }
+  if (!is_shown(frame, options_.every)) return topics & moment_topics();
   const auto keep_if = [&](bool is_due, std::initializer_list<ViewerTopic> some) {
     for (const ViewerTopic topic : some) {
       if (!is_due) topics.reset(index_of(topic));

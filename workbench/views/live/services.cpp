@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -120,27 +119,12 @@ std::string short_word(std::string word) {
   return word;
 }
 
-/// A member of a request; nothing: it is missing. Throws BadClientMessage if it has another type.
-template <typename Value>
-std::optional<Value> optional_member(const ClientObject& request, const std::string& service, const char* name) {
-  const auto found = request.json().find(name);
-  if (found == request.json().end()) return std::nullopt;
-  const bool fits = std::is_same_v<Value, bool> ? found->is_boolean() : found->is_number();
-  if (!fits)
-    throw BadClientMessage(service + ": " + name + ": expected " +
-                           (std::is_same_v<Value, bool> ? "true or false" : "a number") + ", found " +
-                           found->type_name());
-  return found->template get<Value>();
-}
-
 ActAsOperator operator_task(const ClientObject& request) {
-  const auto number = [&](const char* name) { return optional_member<double>(request, "operator", name); };
-  OperatorRequestValues values;
-  values.x = number("x");
-  values.y = number("y");
-  values.degrees = number("degrees");
-  values.stops = number("stops");
-  values.penalized = optional_member<bool>(request, "operator", "penalized");
+  const OperatorRequestValues values{.x = request.optional_real("x"),
+                                     .y = request.optional_real("y"),
+                                     .degrees = request.optional_real("degrees"),
+                                     .stops = request.optional_real("stops"),
+                                     .penalized = request.optional_boolean("penalized")};
   try {
     return {operator_request(request.text("action"), values)};
   } catch (const BadClientMessage&) {
@@ -156,14 +140,14 @@ ChangePace pace_task(const ClientObject& request) {
   if (action == "pause") return {.change = Change::pause};
   if (action == "resume") return {.change = Change::resume};
   if (action == "frame") {
-    const double frames = optional_member<double>(request, "pace", "frames").value_or(1.0);
+    const double frames = request.optional_real("frames").value_or(1.0);
     if (!(frames >= 1.0 && frames <= RunPace::kMostFrames && frames == std::floor(frames)))
       throw BadClientMessage("pace: frames: expected a whole number from 1 to " + std::to_string(RunPace::kMostFrames) +
                              ", found " + to_text(frames));
     return {.change = Change::frame, .frames = static_cast<int>(frames)};
   }
   if (action == "speed") {
-    const std::optional<double> factor = optional_member<double>(request, "pace", "factor");
+    const std::optional<double> factor = request.optional_real("factor");
     if (!factor) throw BadClientMessage("pace: factor: expected a number, found none");
     return {.change = Change::speed, .speed = *factor};
   }

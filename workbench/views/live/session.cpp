@@ -111,9 +111,10 @@ void Session::take(const CallService& message) {
   AnswerAddress to{.viewer = viewer_, .service = message.service, .call = message.call};
   try {
     FrameTask task = read_call(message, to);
-    if (static_cast<Service>(to.row) == Service::file_parameters) return respond(file_parameters(message.payload));
-    if (static_cast<Service>(to.row) == Service::what_if) return parts_.what_ifs.ask(to, message.payload);
-    if (const auto json = parts_.scripts.answer(static_cast<Service>(to.row), message.payload)) return respond(*json);
+    const auto service = static_cast<Service>(to.row);
+    if (service == Service::file_parameters) return respond(file_parameters(message.payload));
+    if (service == Service::what_if) return parts_.what_ifs.ask(to, message.payload);
+    if (const auto json = parts_.scripts.answer(service, message.payload)) return respond(*json);
     if (!post({std::move(to), std::move(task)})) throw std::runtime_error(kTooMany);
   } catch (const std::exception& error) {  // whatever it is, the run continues
     mailbox_->add_control(service_failure(message.service, message.call, as_line(error.what())));

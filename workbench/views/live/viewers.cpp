@@ -107,7 +107,7 @@ void Viewers::publish(ViewerTopic topic, std::uint64_t time, std::string message
   const auto index = static_cast<std::size_t>(topic);
   const auto shared = std::make_shared<const std::string>(std::move(message));
   const std::lock_guard lock(mutex_);
-  if (topic != ViewerTopic::events && topic != ViewerTopic::log) last_[index] = {time, shared};
+  if (!moment_topics().test(index)) last_[index] = {time, shared};
   for (const auto& [id, viewer] : viewers_)
     if (viewer.subscriptions[index]) send_data(viewer, index, time, shared);
 }

@@ -90,6 +90,12 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
 /// Some of the topics.
 using ViewerTopics = std::bitset<kViewerTopicCount>;
 
+/// Topics of which no message may be left out, because each is about another moment.
+inline ViewerTopics moment_topics() {
+  ViewerTopics topics;
+  return topics.set(static_cast<std::size_t>(ViewerTopic::events)).set(static_cast<std::size_t>(ViewerTopic::log));
+}
+
 /// Frames between two messages of topics that change slowly or are large.
 inline constexpr std::uint64_t kParticlesEvery = 6, kRoomEvery = 6, kWallEvery = 30, kParametersEvery = 300;
 /// The same, of recordings only.

@@ -124,6 +124,13 @@ std::optional<double> ClientObject::optional_real(const char* name) const {
   return found->get<double>();
 }
 
+std::optional<bool> ClientObject::optional_boolean(const char* name) const {
+  const auto found = json_.find(name);
+  if (found == json_.end()) return std::nullopt;
+  if (!found->is_boolean()) refuse(name, "true or false", *found);
+  return found->get<bool>();
+}
+
 std::vector<std::uint32_t> ClientObject::numbers(const char* name) const {
   std::vector<std::uint32_t> all;
   for (const nlohmann::json& value : array(name)) all.push_back(number_of(name, value));

@@ -28,6 +28,7 @@ class ClientObject {
   std::uint32_t number(const char* name) const;
   /// A finite number that need not be whole; nothing if it is missing.
   std::optional<double> optional_real(const char* name) const;
+  std::optional<bool> optional_boolean(const char* name) const;
   std::vector<std::uint32_t> numbers(const char* name) const;
   /// The members of an array, which must be objects.
   std::vector<ClientObject> objects(const char* name) const;
