@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/parameters/nearest_name.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_slot.h"
 
@@ -261,12 +260,6 @@ bool ScriptHost::look_up(std::string_view name, MachineSight& sight) const {
 bool ScriptHost::is_published(std::string_view flag) const {
   const NameTable& names = *names_.table();
   return std::any_of(published_.begin(), published_.end(), [&](NameId id) { return names[id] == flag; });
-}
-
-std::vector<std::string> ScriptHost::machine_names() const {
-  std::vector<std::string> names;
-  for (const MachineDefinition* definition : definitions()) names.push_back(definition->name);
-  return names;
 }
 
 std::vector<const MachineDefinition*> ScriptHost::definitions() const {

@@ -90,7 +90,6 @@ class ScriptHost : public MachineDirectory {
   std::map<std::string, std::set<std::string>> module_fields() const;
 
   bool look_up(std::string_view name, MachineSight& sight) const override;
-  std::vector<std::string> machine_names() const override;
   bool is_published(std::string_view flag) const override;
 
  private:

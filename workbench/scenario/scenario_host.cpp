@@ -16,13 +16,6 @@ bool RecordedBehaviors::look_up(std::string_view name, MachineSight& sight) cons
   return false;
 }
 
-std::vector<std::string> RecordedBehaviors::machine_names() const {
-  std::vector<std::string> names;
-  if (machines_ == nullptr) return names;
-  for (const MachineStatus& status : *machines_) names.push_back((*names_)[status.machine]);
-  return names;
-}
-
 bool RecordedBehaviors::is_published(std::string_view flag) const {
   if (published_ == nullptr) return false;
   return std::any_of(published_->begin(), published_->end(), [&](NameId id) { return (*names_)[id] == flag; });

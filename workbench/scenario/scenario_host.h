@@ -54,7 +54,6 @@ class RecordedBehaviors : public MachineDirectory {
     time_ = time;
   }
   bool look_up(std::string_view name, MachineSight& sight) const override;
-  std::vector<std::string> machine_names() const override;
   bool is_published(std::string_view flag) const override;
 
  private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/script/language/behavior_view.h"
 
-#include "engine/parameters/nearest_name.h"
 #include "engine/script/sandbox/sandbox.h"
 
 namespace reorient {
@@ -15,22 +14,17 @@ int refuse_setting(lua_State* L) {
   return luaL_error(L, "behaviors is read-only: a script cannot set a behavior's state");
 }
 
-MachineSight look_up(lua_State* L, const char* name) {
+/// Upvalues: the directory, the machine's name. Arguments: its table, a key. A behavior that does not run has no state
+/// and was in it for 0 s, so that a script may depend on behaviors that some runs leave out.
+int read_field(lua_State* L) {
   constexpr std::int64_t kPriceOfSearch = 20;
   Sandbox::of(L).charge(kPriceOfSearch);
-  MachineSight sight;
-  const MachineDirectory& directory = directory_of(L);
-  if (directory.look_up(name, sight)) return sight;
-  const std::string hint = did_you_mean(name, directory.machine_names());
-  luaL_error(L, "unknown behavior '%s'%s", name, hint.c_str());
-  return sight;
-}
-
-/// Upvalues: the directory, the machine's name. Arguments: its table, a key.
-int read_field(lua_State* L) {
   const std::string_view key = luaL_checkstring(L, 2);
-  const MachineSight sight = look_up(L, lua_tostring(L, lua_upvalueindex(2)));
-  if (key == "state") {
+  MachineSight sight;
+  const bool runs = directory_of(L).look_up(lua_tostring(L, lua_upvalueindex(2)), sight);
+  if (key == "state" && !runs) {
+    lua_pushnil(L);
+  } else if (key == "state") {
     lua_pushlstring(L, sight.state.data(), sight.state.size());
   } else if (key == "time_in_state") {
     lua_pushnumber(L, sight.time_in_state);
@@ -52,7 +46,6 @@ void set_reader(lua_State* L, lua_CFunction refuse) {
 /// Upvalues: the directory, the tables made so far. Arguments: `behaviors`, a name.
 int find_machine(lua_State* L) {
   const char* const name = luaL_checkstring(L, 2);
-  look_up(L, name);
   if (lua_getfield(L, lua_upvalueindex(2), name) == LUA_TTABLE) return 1;
   lua_newtable(L);
   lua_createtable(L, 0, 3);

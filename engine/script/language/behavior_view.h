@@ -2,9 +2,7 @@
 // `behaviors.orientation.state` and `published.pose_is_searched`: scripts read the machines of other scripts.
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include <lua.hpp>
 
@@ -21,7 +19,6 @@ class MachineDirectory {
   virtual ~MachineDirectory() = default;
   /// False: unknown machine.
   virtual bool look_up(std::string_view name, MachineSight& sight) const = 0;
-  virtual std::vector<std::string> machine_names() const = 0;
   /// Whether a state of any machine that publishes this flag was active at the start of the frame.
   virtual bool is_published(std::string_view flag) const = 0;
 };

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
         Attack{"EndlessSpeed", "walk.velocity(math.huge, 0, 0)", "finite number"},
         Attack{"CommandFlood", "while true do command.flip_pose() end", "too many actions"},
         Attack{"LogFlood", "while true do log.info(\"x\") end", kBudget},
-        Attack{"UnknownBehavior", "local _ = behaviors.honets.state", "did you mean 'honest'"},
+        Attack{"UnknownFieldOfABehavior", "local _ = behaviors.honest.stat", "unknown field 'stat'"},
         Attack{"UnknownField", "local _ = robot.penalised",
                "robot has no field 'penalised' (did you mean 'penalized'?)"},
         Attack{"TheTruth", "local _ = truth.x", "unknown name 'truth'"},

@@ -268,6 +268,17 @@ TEST_F(ScriptTransitions, BehaviorsReadEachOthersStateAtTheStartOfTheFrame) {
   EXPECT_EQ(logs, (std::vector<std::string>{"", "one", "one", "one", "two"}));
 }
 
+TEST_F(ScriptTransitions, ABehaviorThatDoesNotRunHasNoState) {
+  load("b", R"(behavior "b" { update = function()
+    log.info(tostring(behaviors.a.state) .. " " .. tostring(behaviors.a.time_in_state > 1))
+  end })");
+  tick();
+  load("a", R"(behavior "a" { initial = "one", state "one" {} })");
+  ticks(2);
+  EXPECT_TRUE(faults.empty());
+  EXPECT_EQ(logs, (std::vector<std::string>{"nil false", " false", "one false"}));
+}
+
 TEST_F(ScriptTransitions, AConditionMustNotAct) {
   load(
       "b",

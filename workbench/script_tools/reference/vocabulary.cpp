@@ -48,8 +48,9 @@ constexpr ScriptWord kLanguage[] = {
      "script.",
      {}},
     {"behaviors", "behaviors.orientation.state == \"watching\"",
-     "The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s).",
-     "---@class reorient.Machine\n---@field state string path of the innermost active state\n---@field time_in_state "
+     "The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s). Of a machine that "
+     "does not run they are nil and 0; `reorient check` reports unknown names.",
+     "---@class reorient.Machine\n---@field state string? path of the innermost active state\n---@field time_in_state "
      "number s\n\n---@type table<string, reorient.Machine>\nbehaviors = {}"},
     {"published", "published.pose_is_searched",
      "Whether a state with `publishes = \"pose_is_searched\"` of any machine was active at the start of the frame; "
