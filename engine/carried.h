@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "engine/world/application_state.h"
 #include "engine/world/external_belief.h"
 #include "engine/world/world_tracker.h"
 #include "geometry/pose2.h"
@@ -14,6 +15,7 @@ namespace reorient {
 /// pauses), the machines. Until a stage replaces a value, it is that of the previous frame.
 struct Carried {
   WorldTracker world;
+  ApplicationState application{};
   std::optional<Pose2> odometry{};  ///< dead reckoning, as observed; nothing before the first frame
   bool get_up_requested = false;
   ExternalUse external{};

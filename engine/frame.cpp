@@ -25,8 +25,9 @@ FrameLoop::FrameLoop(FrameSetup setup)
                     FieldFeatures(parameters_.field_features, setup.field)},
       localizer_(parameters_.localizer, setup.field, setup.seed),
       external_reader_(setup.field),
-      behaviors_(std::move(setup.scripts), registry_, limits_),
-      carried_{.world = WorldTracker(setup.field, body_, setup.room_awareness)} {
+      carried_{.world = WorldTracker(setup.field, body_, setup.room_awareness),
+               .application = ApplicationState(std::move(setup.application))},
+      behaviors_(std::move(setup.scripts), carried_.application, registry_, limits_) {
   arbiter_.set_parameters(parameters_.arbiter);
   for (FieldPercept& percept : record_.percepts) percept.reserve();
   for (FeatureFits& fits : record_.feature_fits) fits.reserve(record_.percepts[0]);
@@ -40,6 +41,7 @@ FrameLoop::FrameLoop(FrameSetup setup)
   }
   for (const std::string& behavior : setup.behaviors) behaviors_.host().load(behavior);
   record_.names = behaviors_.host().names().table();
+  record_.application.take(carried_.application);
 }
 
 /// Runs before the modules are constructed, so that they start with the overridden values.
@@ -64,6 +66,7 @@ const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics requested) 
   describe_room();
   const Decision decision = act();
   fill_answer(world(), decision, record_.reorientation, record_.answer);
+  record_.answer.actions.assign(carried_.application.started().begin(), carried_.application.started().end());
   carried_.get_up_requested = record_.answer.request.get_up;
   carried_.odometry = observation.odometry;
   complete_record(observation, decision);
@@ -80,6 +83,7 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   record_.reloads.clear();
   if (!inputs.script_edits.empty()) record_.reloads = behaviors_.apply(inputs.script_edits, arbiter_);
   carried_.world.begin_frame(observation.time);
+  carried_.application.begin_frame(observation.time);
   record_.inputs.half_time = observation.external.half_time || inputs.external.half_time;
   if (record_.inputs.half_time) change_sides();
   for (const ExternalInputs* const external : {&observation.external, &inputs.external})
@@ -106,12 +110,20 @@ void FrameLoop::take_external_inputs(const ExternalInputs& external, bool has_ex
   for (const std::string& note : external.notes) {
     if (record_.logs.size() < kMostNotes) record_.logs.push_back({0, 0, note.substr(0, kLongestNote), 0, true});
   }
+  take_application(external);
   if (!external.initial_pose) return;
   if (const std::string mistake = mistake_in_pose(external.initial_pose->pose); !mistake.empty()) {
     record_.logs.push_back({0, 0, "initial pose ignored: " + mistake, 0, true});
     return;
   }
   set_pose(*external.initial_pose, has_external_belief);
+}
+
+void FrameLoop::take_application(const ExternalInputs& external) {
+  std::vector<std::string> mistakes;
+  carried_.application.take(external.values, world().time, mistakes);
+  carried_.application.take(external.reports, world().time);
+  for (std::string& mistake : mistakes) record_.logs.push_back({0, 0, std::move(mistake), 0, true});
 }
 
 void FrameLoop::set_pose(const InitialPose& initial, bool has_external_belief) {
@@ -191,6 +203,7 @@ void FrameLoop::describe_room() {
 Decision FrameLoop::act() {
   const StageTimer timer(record_, Stage::behaviors);
   const Decision decision = decide(world(), record_.inputs.messages, behaviors_, arbiter_);
+  carried_.application.start(decision.requests.actions, world().time);
   record_.reorientation.reset();
   record_.pose_particles.before.clear();
   if (room_ && record_.filled.has(Topic::room)) room_->tile_evidence(record_.room.evidence);

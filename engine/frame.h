@@ -32,6 +32,7 @@ struct FrameSetup {
   std::vector<std::string> behaviors;       ///< to be loaded: "orientation", or a file below the scripts' root
   std::vector<ParameterChange> parameters;  ///< overrides of defaults; undeclared names are stored
   std::optional<SavedModel> model{};        ///< of the room, learned in an earlier run
+  ApplicationInterface application{};       ///< values and actions of the application
 };
 
 /// The engine. It is deterministic: the same setup and inputs give the same records.
@@ -59,6 +60,7 @@ class FrameLoop {
   std::vector<Parameter> parameters() const { return registry_.list(); }
   std::vector<const MachineDefinition*> machines() const { return behaviors_.host().definitions(); }
   const ScriptTexts& scripts() const { return behaviors_.host().texts(); }
+  const ApplicationInterface& application() const { return carried_.application.declared(); }
 
  private:
   explicit FrameLoop(ByteReader&& state);
@@ -69,6 +71,7 @@ class FrameLoop {
   void take_inputs(const FrameInputs& inputs);
   void take_parameters(const std::vector<ParameterChange>& changes);
   void take_external_inputs(const ExternalInputs& external, bool has_external_belief);
+  void take_application(const ExternalInputs& external);
   void set_pose(const InitialPose& initial, bool has_external_belief);
   void change_sides();
   void follow_posture(const SensedPosture& posture, const BodySample& body);
@@ -98,10 +101,10 @@ class FrameLoop {
   ExternalBeliefReader external_reader_;
   std::optional<RoomAwareness> room_;
   RepeatedPose repeated_pose_;
+  Carried carried_;
   Behaviors behaviors_;
   Arbiter arbiter_;
 
-  Carried carried_;
   std::vector<CoveredArea> covered_;  ///< memory of see_room()
   FrameRecord record_;
 };

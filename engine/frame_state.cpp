@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x4565746174537252ull;  // "RrStateE": change it with the layout
+constexpr std::uint64_t kStateMagic = 0x4665746174537252ull;  // "RrStateF": change it with the layout
 
 bool is_possible(const CameraOptics& camera) {
   constexpr int kMostPixels = 10'000;
@@ -52,7 +52,7 @@ FrameSetup read_setup(ByteReader& in) {
   in(magic);
   check_bytes(magic == kStateMagic, "state: not saved by this version of the program");
   FrameSetup setup;
-  in(setup.field, setup.body, setup.room_awareness, setup.parameters);
+  in(setup.field, setup.body, setup.room_awareness, setup.parameters, setup.application);
   check_bytes(is_possible(setup.body), "state: impossible body of the robot (expected the measures of a humanoid)");
   return setup;
 }
@@ -62,13 +62,14 @@ FrameSetup read_setup(ByteReader& in) {
 template <typename Archive>
 void FrameLoop::archive(Archive& archive, auto& self) {
   archive(self.field_vision_, self.localizer_, self.arbiter_, self.posture_, self.repeated_pose_,
-          self.carried_.get_up_requested, self.carried_.external, self.carried_.world, self.carried_.odometry);
+          self.carried_.get_up_requested, self.carried_.external, self.carried_.world, self.carried_.odometry,
+          self.carried_.application);
   if (self.room_) archive(*self.room_);
 }
 
 void FrameLoop::save(std::vector<std::byte>& state) const {
   ByteWriter out(state);
-  out(kStateMagic, world().field, body_, room_.has_value(), registry_.overrides());
+  out(kStateMagic, world().field, body_, room_.has_value(), registry_.overrides(), carried_.application.declared());
   archive(out, *this);
   behaviors_.host().save(out);
 }

@@ -11,6 +11,7 @@
 #include "geometry/const_or.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
+#include "robots/application.h"
 
 namespace reorient {
 
@@ -86,7 +87,8 @@ struct Answer {
   RoomConfidence room;
   bool training_paused = false;
   bool evaluation_paused = false;
-  std::vector<std::string> messages;  ///< from this frame to the teammates, at most kLongestMessage bytes each
+  std::vector<std::string> messages;   ///< from this frame to the teammates, at most kLongestMessage bytes each
+  std::vector<StartedAction> actions;  ///< of the application; their record is Topic::application
 };
 template <typename Visit, ConstOr<Answer> T>
 void fields(Visit&& visit, T& answer) {

@@ -16,6 +16,7 @@
 #include "geometry/image.h"
 #include "geometry/pose2.h"
 #include "robots/answer.h"
+#include "robots/application.h"
 #include "robots/referee.h"
 
 namespace reorient {
@@ -88,19 +89,22 @@ void fields(Visit&& visit, T& initial) {
   visit(initial.pose, initial.position_deviation, initial.rotation_deviation);
 }
 
-/// Inputs from outside: from the operator, the referee, teammates or the robot's own software.
+/// Inputs from outside: from the operator, the referee, teammates, the application or the robot's own software.
 struct ExternalInputs {
   std::optional<InitialPose> initial_pose;
   std::optional<RefereeState> referee;  ///< valid until the next one
   std::vector<Message> messages;
   bool half_time = false;          ///< the teams change sides now; the other inputs of this frame are in the new axes
   std::vector<std::string> notes;  ///< for the records and recordings of the run; at most kLongestNote bytes each
+  std::vector<SetValue> values;    ///< of the application
+  std::vector<ActionReport> reports;  ///< of the application, about its actions
 };
 inline constexpr std::size_t kLongestNote = 1000;  // longer notes are truncated
 inline constexpr std::size_t kMostNotes = 32;      // per frame
 template <typename Visit, ConstOr<ExternalInputs> T>
 void fields(Visit&& visit, T& external) {
-  visit(external.initial_pose, external.referee, external.messages, external.half_time, external.notes);
+  visit(external.initial_pose, external.referee, external.messages, external.half_time, external.notes, external.values,
+        external.reports);
 }
 
 /// The input of one frame of the engine: an image of the upper camera with the newest image of the lower camera since

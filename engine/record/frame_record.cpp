@@ -36,6 +36,23 @@ std::string_view to_string(Stage stage) {
   return "";
 }
 
+void ApplicationRecord::take(const ApplicationState& state) {
+  declared = state.shared_declared();
+  values.assign(state.values().begin(), state.values().end());
+  actions.assign(state.actions().begin(), state.actions().end());
+  requests.assign(state.records().begin(), state.records().end());
+}
+
+void ApplicationRecord::check() const {
+  check_bytes(mistake_in(*declared).empty(), "application: mistake in its interface");
+  check_fits(values, actions, *declared);
+  for (const ActionRecord& record : requests) {
+    check_bytes(record.request.action < declared->actions.size() &&
+                    mistake_in(record.request.arguments, declared->actions[record.request.action].arguments).empty(),
+                "application: a request does not fit its declaration");
+  }
+}
+
 void FrameRecord::own_images() {
   own(images.upper, images.own[0]);
   own(images.lower, images.own[1]);

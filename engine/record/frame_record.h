@@ -16,6 +16,7 @@
 #include "engine/record/topics.h"
 #include "engine/script/script_host.h"
 #include "engine/script/script_output.h"
+#include "engine/world/application_state.h"
 #include "engine/world/commands.h"
 #include "engine/world/names.h"
 #include "engine/world/world.h"
@@ -106,6 +107,33 @@ void fields(Visit&& visit, T& room) {
         room.compared, room.evidence, room.particles, room.cells, room.clusters);
 }
 
+/// Topic::application.
+struct ApplicationRecord {
+  std::shared_ptr<const ApplicationInterface> declared = std::make_shared<ApplicationInterface>();
+  std::vector<ValueState> values;      ///< in the order of the declarations, as behaviors read them
+  std::vector<ActionStatus> actions;   ///< in the order of the declarations, after this frame's requests
+  std::vector<ActionRecord> requests;  ///< of this frame
+
+  /// Copies the state at the end of a frame.
+  void take(const ApplicationState& state);
+
+  template <typename Archive>
+  static void archive(Archive& archive, auto& self) {
+    if constexpr (Archive::kReads) {
+      ApplicationInterface declared;
+      archive(declared);
+      self.declared = std::make_shared<const ApplicationInterface>(std::move(declared));
+    } else {
+      archive(*self.declared);
+    }
+    archive(self.values, self.actions, self.requests);
+    if constexpr (Archive::kReads) self.check();
+  }
+
+ private:
+  void check() const;
+};
+
 /// Topic::images: views of the robot's pixels, valid as long as its frame; or of this record's own copy.
 struct ImagesRecord {
   ImageView upper;
@@ -171,6 +199,7 @@ struct FrameRecord {
   std::vector<FaultRecord> faults;
   std::vector<ReloadRecord> reloads;
   std::vector<ParameterOutcome> parameter_changes;
+  ApplicationRecord application;
 
   ImagesRecord images;
   PoseParticlesRecord pose_particles;

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint32_t kInputMagic = 0x354E4952;  // "RIN5": change it with the layout
+constexpr std::uint32_t kInputMagic = 0x364E4952;  // "RIN6": change it with the layout
 
 /// A list that the inputs refer to without owning it.
 template <typename Archive, typename T>

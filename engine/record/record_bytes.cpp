@@ -6,9 +6,9 @@
 namespace reorient {
 namespace {
 
-/// "RRFB". Change it, and the format of recordings, with the content of a topic that is always filled. Recordings
+/// "RRFC". Change it, and the format of recordings, with the content of a topic that is always filled. Recordings
 /// contain no other topics.
-constexpr std::uint32_t kRecordMagic = 0x42465252;
+constexpr std::uint32_t kRecordMagic = 0x43465252;
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
@@ -28,6 +28,8 @@ void visit_topic(Archive& archive, Topic topic, auto& record) {
       return archive(record.answer);
     case Topic::events:
       return archive(record.posture_change, record.logs, record.faults, record.reloads, record.parameter_changes);
+    case Topic::application:
+      return archive(record.application);
     case Topic::images:
       return archive(record.images);
     case Topic::pose_particles:
@@ -85,7 +87,9 @@ FrameRecord read_record(std::span<const std::byte> bytes) {
 void RecordDigest::add(const FrameRecord& record) {
   bytes_.clear();
   for (const TopicInfo& row : kTopics) {
-    if (row.always && row.reproducible) write_topic(record, row.topic, bytes_);
+    // Without an application, a run has the digest of a program that knows no applications.
+    const bool is_left_out = row.topic == Topic::application && record.application.declared->is_empty();
+    if (row.always && row.reproducible && !is_left_out) write_topic(record, row.topic, bytes_);
   }
   digest_.add(bytes_);
   for (const ImageView* const image : {&record.images.upper, &record.images.lower}) {

@@ -17,6 +17,7 @@ enum class Topic {
   commands,
   answer,
   events,
+  application,
   // The following are filled only if an observer requests them.
   images,
   pose_particles,
@@ -26,7 +27,7 @@ enum class Topic {
   costs,
   feature_fits
 };
-inline constexpr int kTopicCount = 14;
+inline constexpr int kTopicCount = 15;
 constexpr int enum_count(Topic) { return kTopicCount; }
 
 struct TopicInfo {
@@ -45,6 +46,7 @@ inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
     {Topic::commands, "commands", "commands of behaviors with verdicts; pauses; the reorientation"},
     {Topic::answer, "answer", "requests to the robot"},
     {Topic::events, "events", "changes of posture, log lines, faults of scripts, reloads, changed parameters"},
+    {Topic::application, "application", "values and actions of the application; empty if it declares none"},
     {Topic::images, "images", "the cameras' pixels", false},
     {Topic::pose_particles, "pose_particles", "the pose filter's particles, before a reorientation as well", false},
     {Topic::room, "room", "wall, background model, perceived tiles, evidence of each tile, the view filter's belief",

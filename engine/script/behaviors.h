@@ -20,9 +20,13 @@ class Behaviors {
   /// References must outlive the behaviors.
   Behaviors(ScriptTexts texts, ParameterRegistry& parameters, const ScriptLimits& limits = kDefaultLimits)
       : host_(std::move(texts), language_, parameters, limits) {}
+  /// With the values and actions of an application.
+  Behaviors(ScriptTexts texts, const ApplicationState& application, ParameterRegistry& parameters,
+            const ScriptLimits& limits = kDefaultLimits)
+      : language_(application), host_(std::move(texts), language_, parameters, limits) {}
 
-  /// Each behavior reads this world, the other behaviors' states at the start of the frame, and the messages of
-  /// teammates since the last frame.
+  /// Each behavior reads this world, the application's values, the other behaviors' states at the start of the frame,
+  /// and the messages of teammates since the last frame.
   void tick(const World& world, std::span<const Message> messages = {}) {
     language_.actions().set_messages(messages);
     values_.clear();

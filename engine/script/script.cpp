@@ -79,6 +79,7 @@ void Script::add_globals(const MachineDirectory& directory) {
   lua_State* const L = sandbox_.state();
   world_ = std::make_unique<WorldTables>(L, language_);
   add_script_functions(L, language_);
+  language_.add_globals(L);
   add_behavior_view(L, directory);
   declarations_ = std::make_unique<Declarations>(
       L, language_.kind() == ScriptKind::scenario,

@@ -4,9 +4,18 @@
 #include <stdexcept>
 
 #include "engine/parameters/counted.h"
+#include "engine/script/language/application_tables.h"
 #include "engine/script/language/world_fields.h"
 
 namespace reorient {
+
+BehaviorLanguage::BehaviorLanguage()
+    : BehaviorLanguage([]() -> const ApplicationState& {
+        static const ApplicationState nothing;
+        return nothing;
+      }()) {}
+
+void BehaviorLanguage::add_globals(lua_State* L) { add_application_tables(L, *this); }
 
 std::span<const WorldTable> BehaviorLanguage::tables() const { return world_tables(); }
 std::span<const WorldField> BehaviorLanguage::world() const { return world_fields(); }
@@ -55,6 +64,7 @@ void BehaviorActions::begin_frame(ScriptOutput& output, double time) {
   output_.commands.clear();
   output_.request = {};
   output_.messages.clear();
+  output_.actions.clear();
   sender_ = nullptr;
   head_priority_ = -std::numeric_limits<double>::infinity();
   walk_priority_ = -std::numeric_limits<double>::infinity();
@@ -69,6 +79,12 @@ void BehaviorActions::reorient_by(Reorientation reorientation) {
 void BehaviorActions::pause(Pause pause) {
   require_acting();
   machine().lease(pause, state());
+}
+
+void BehaviorActions::request(std::uint16_t action, FieldData arguments) {
+  require_acting();
+  count_action();
+  output_.actions.push_back({action, std::move(arguments), issuer(), machine().definition().priority});
 }
 
 void BehaviorActions::look(double yaw, double pitch, std::optional<double> speed) {

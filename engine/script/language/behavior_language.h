@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions of behaviors: command, head, walk, motion and team. What behaviors can read: world_fields.h.
+// Functions of behaviors: command, head, walk, motion and team. What behaviors can read: world_fields.h. The values and
+// actions of an application: application_tables.h.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "engine/script/language/script_language.h"
+#include "engine/world/application_state.h"
 #include "engine/world/commands.h"
 #include "robots/robot.h"
 
@@ -19,8 +21,9 @@ namespace reorient {
 /// Requests of the behaviors in one frame. Per channel the greatest priority wins; at a tie the first.
 struct BehaviorOutput {
   std::vector<ReorientationRequest> commands;
-  Request request;                    ///< to the robot
-  std::vector<std::string> messages;  ///< to the teammates
+  Request request;                     ///< to the robot
+  std::vector<std::string> messages;   ///< to the teammates
+  std::vector<ActionRequest> actions;  ///< of the application
 };
 
 class BehaviorActions : public ScriptActions {
@@ -49,6 +52,9 @@ class BehaviorActions : public ScriptActions {
   std::string_view text_of(std::int64_t which) { return message(which).text; }
   void send(std::string_view text);
 
+  /// Requests an action of the application. The arguments fit its declaration.
+  void request(std::uint16_t action, FieldData arguments);
+
  private:
   void reorient_by(Reorientation reorientation);
   void pause(Pause pause);
@@ -64,15 +70,23 @@ class BehaviorActions : public ScriptActions {
 
 class BehaviorLanguage : public ScriptLanguage {
  public:
+  /// Of an application that declares nothing.
+  BehaviorLanguage();
+  /// `application`: read by the scripts; must outlive the language.
+  explicit BehaviorLanguage(const ApplicationState& application) : application_(application) {}
+
   ScriptKind kind() const override { return ScriptKind::behavior; }
   std::string_view folder() const override { return "behaviors"; }
   std::span<const WorldTable> tables() const override;
   std::span<const WorldField> world() const override;
   std::span<const ScriptFunction> functions() const override;
+  void add_globals(lua_State* L) override;
   BehaviorActions& actions() override { return actions_; }
+  const ApplicationState& application() const { return application_; }
   const BehaviorOutput& output() const { return actions_.output(); }
 
  private:
+  const ApplicationState& application_;
   BehaviorActions actions_;
 };
 

@@ -22,8 +22,8 @@ const char kStateLine = 'l';
 const char kStateFile = 'f';
 
 constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter", "update", "exit"};
-constexpr const char* kScenarioKeys[] = {"priority", "initial",   "common", "enter",     "update",
-                                         "exit",     "behaviors", "room",   "hall_seed", "field"};
+constexpr const char* kScenarioKeys[] = {"priority",  "initial", "common",    "enter", "update",   "exit",
+                                         "behaviors", "room",    "hall_seed", "field", "interface"};
 constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit", "publishes"};
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
@@ -306,6 +306,7 @@ void MachineReader::read_behaviors(int table) {
 void MachineReader::read_setting(int table) {
   machine_.setting.room = read_text(table, "room");
   machine_.setting.field = read_text(table, "field");
+  machine_.setting.interface = read_text(table, "interface");
   const int type = raw_field(lua_, table, "hall_seed");
   const bool fits = lua_isinteger(lua_, -1) != 0 && lua_tointeger(lua_, -1) >= 0;
   if (fits) machine_.setting.hall_seed = static_cast<std::uint64_t>(lua_tointeger(lua_, -1));

@@ -40,13 +40,15 @@ class ScriptActions {
   void note(std::string_view text) { log(text, true); }
   double time_in_state();
 
+  bool is_loading() const { return phase_ == Phase::loading; }
+  double time() const { return time_; }
+
  protected:
   void require_acting() const;
   /// Throws if a machine exceeds kMostPerFrame.
   void count_action();
   Machine& machine() const { return *machine_; }
   int state() const { return state_; }
-  double time() const { return time_; }
   Issuer issuer() const;
 
  private:

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <lua.hpp>
@@ -81,6 +82,8 @@ class ScriptLanguage {
   virtual std::span<const WorldField> world() const = 0;
   virtual std::span<const ScriptFunction> functions() const = 0;
   virtual std::span<const FormerTable> former_tables() const { return {}; }
+  /// Makes further globals of a script's Lua; the language must outlive it.
+  virtual void add_globals(lua_State* /*L*/) {}
   virtual ScriptActions& actions() = 0;
 };
 
@@ -123,6 +126,16 @@ ScriptFunction script_function(const std::string& name, const std::vector<const 
   for (const char* argument : arguments) function.arguments.push_back({argument, ""});
   detail::describe_types(Method, function);
   function.description = description;
+  return function;
+}
+
+/// The same for a member function that reads its arguments from the stack itself: int (Self::*)(lua_State*).
+template <typename Self, int (Self::*Method)(lua_State*)>
+ScriptFunction raw_script_function(const char* table, const char* name, std::vector<ArgumentDoc> arguments,
+                                   const char* result, const char* description) {
+  ScriptFunction function{table,  name,       &lua::RawBound<Method>::call, nullptr, std::move(arguments),
+                          result, description};
+  function.object = [](ScriptActions& actions) -> void* { return static_cast<Self*>(&actions); };
   return function;
 }
 

@@ -70,6 +70,10 @@ void add_unknown_name_error(lua_State* L, const std::string& what, const ScriptL
 
 void make_read_only(lua_State* L, const std::string& what, const ScriptLanguage* language) {
   add_unknown_name_error(L, what, language);
+  make_read_only_list(L, what);
+}
+
+void make_read_only_list(lua_State* L, const std::string& what) {
   lua_newtable(L);           // the proxy that the script gets
   lua_createtable(L, 0, 5);  // its metatable
   lua_pushvalue(L, -3);

@@ -35,5 +35,7 @@ class WorldTables {
 /// `what` names it in errors ("robot"). An unknown field is an error, with "did you mean".
 /// `language`: if the table is one of its world; must outlive it.
 void make_read_only(lua_State* L, const std::string& what, const ScriptLanguage* language = nullptr);
+/// The same for a list, in which a missing element is nil.
+void make_read_only_list(lua_State* L, const std::string& what);
 
 }  // namespace reorient

@@ -63,6 +63,7 @@ struct ScenarioSetting {
   std::string room;                        ///< panorama file; from the scripts' root, or the name of a shipped one
   std::optional<std::uint64_t> hall_seed;  ///< of a procedural hall; not together with a room
   std::string field;                       ///< as the room
+  std::string interface;                   ///< of the application that the scenario plays; as the room
 };
 
 struct MachineDefinition {
