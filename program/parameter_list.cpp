@@ -11,6 +11,7 @@
 #include "program/run/venue.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/parameter_file.h"
 #include "workbench/scenario/scenario_host.h"
 
@@ -24,6 +25,7 @@ std::vector<Parameter> all_parameters(const ScriptTexts& texts, const std::files
   setup.field = load_field(field_file(field, setup.body));
   setup.scripts = texts;
   setup.behaviors = texts.in_folder("behaviors");
+  setup.application = merged(known_interfaces(texts.root()));
   setup.parameters = overrides;
   std::vector<std::vector<Parameter>> lists{FrameLoop(setup).parameters()};
   const RecordedBehaviors no_behaviors;

@@ -18,6 +18,7 @@
 #include "program/script_names.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/graph/machine_graph.h"
@@ -44,7 +45,8 @@ struct NamedScript {
 /// The requested scripts, as found below the root, and their machines.
 class DrawnScripts {
  public:
-  explicit DrawnScripts(const std::filesystem::path& root) : root_(root), texts_(read_scripts(root)) {
+  explicit DrawnScripts(const std::filesystem::path& root)
+      : root_(root), texts_(read_scripts(root)), application_(merged(known_interfaces(root))) {
     for (const ScriptLanguage* language : std::initializer_list<const ScriptLanguage*>{&behaviors_, &scenarios_}) {
       for (const std::string& file : texts_.in_folder(language->folder())) all_.push_back({file, language->kind()});
     }
@@ -103,7 +105,8 @@ class DrawnScripts {
 
   std::filesystem::path root_;
   ScriptTexts texts_;
-  BehaviorLanguage behaviors_;
+  ApplicationState application_;
+  BehaviorLanguage behaviors_{application_};
   ScenarioLanguage scenarios_;
   std::vector<NamedScript> all_;
   std::vector<NamedScript> added_;

@@ -29,6 +29,7 @@
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/rating/room_rating.h"
 #include "workbench/views/pictures/canvas/png_file.h"
@@ -62,6 +63,7 @@ void check_rating_parameters(const SimulationOptions& options, const RatedRobot&
   setup.body = robot.body;
   setup.scripts = robot.scripts;
   setup.behaviors = robot.scripts.in_folder("behaviors");
+  setup.application = merged(known_interfaces(robot.scripts.root()));
   setup.parameters = robot.parameters;
   RobotOptions simulator;
   simulator.body = robot.body;

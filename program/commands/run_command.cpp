@@ -63,6 +63,12 @@ void add_run_options(CLI::App& run, RunOptions& options) {
       ->group(kRunGroup);
   run.add_flag("!--no-room-awareness", options.room_awareness, "switch room awareness off")->group(kRunGroup);
   add_body_options(run, options.body, options.field);
+  run.add_option(
+         "--interface", options.interface,
+         "values and actions of an application: a file, or a name in assets/interfaces (default: the scenario's)")
+      ->type_name("FILE")
+      ->group(kRunGroup)
+      ->check(check_not_empty);
   CLI::Option* const room =
       run.add_option("--room", options.room, "panorama: .hdr, .png or .jpg (default: the scenario's, else a hall)")
           ->type_name("FILE")
@@ -374,6 +380,7 @@ void require_different_files(const RunOptions& options) {
   files.reads(options.room, "--room");
   files.reads(options.body, "--body");
   files.reads(options.field, "--field");
+  files.reads(options.interface, "--interface");
   files.reads(options.places, "--places");
   files.reads(options.calibration, "--calibration");
   files.reads(options.footage.table, "--frames");

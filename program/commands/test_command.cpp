@@ -24,6 +24,7 @@
 #include "program/progress_line.h"
 #include "program/recording/test_replay.h"
 #include "program/run/simulation.h"
+#include "program/run/venue.h"
 #include "program/safe_output.h"
 #include "program/subcommand.h"
 #include "workbench/files/atomic_file.h"
@@ -130,6 +131,9 @@ int test(const TestOptions& options, std::ostream& out, std::ostream& err) {
   run.scripts_root = scripts_root(options.scripts);
   run.paths = options.paths;
   run.play_recording = recordings_below(run.scripts_root);
+  run.load_interface = [root = run.scripts_root](const std::string& name) {
+    return interface_named(interface_named_by_script(root, name));
+  };
   run.timeout = options.timeout;
   run.stop = [] { return Interruption::signal() != 0; };
   NamedFiles files;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "program/run/venue.h"
 #include "program/script_names.h"
 
 namespace reorient {
@@ -47,6 +48,7 @@ FrameSetup engine_setup(const EngineOptions& options, const ScriptTexts& scripts
   FrameSetup setup = engine_setup(options, scripts, overrides_of(options.parameters));
   setup.body = std::move(body);
   setup.field = field;
+  setup.application = interface_named(options.interface);
   for (const std::string& name : options.behaviors.empty() ? behaviors_for(abilities) : options.behaviors)
     setup.behaviors.push_back(behavior_file(options.scripts, scripts, name));
   return setup;

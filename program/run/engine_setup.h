@@ -16,6 +16,7 @@ struct EngineOptions {
   std::filesystem::path body;          ///< TOML file, or the name of a shipped one; empty: the NAO
   std::filesystem::path field;         ///< TOML file, or the name of a shipped one; empty: the body's
   std::filesystem::path scripts;       ///< root of the scripts
+  std::filesystem::path interface;     ///< TOML file, or the name of a shipped one; empty: the scenario's or robot's
   std::vector<std::string> behaviors;  ///< if no scenario lists them; empty: all that the robot supports
   ParameterOptions parameters;
   std::uint64_t seed = 1;

@@ -128,6 +128,9 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   field_ = setup.field = load_field(venue_.field);
   setup.behaviors = chosen_behaviors(options, scripts, scenario_->wanted_behaviors());
   setup.model = model_;
+  setup.application = interface_named(options.interface.empty() ? std::filesystem::path(interface_named_by_script(
+                                                                      options.scripts, scenario_->setting().interface))
+                                                                : options.interface);
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{
       body,      setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",

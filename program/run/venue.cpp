@@ -9,6 +9,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "workbench/files/home.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 
 namespace reorient {
@@ -78,6 +79,15 @@ std::string room_named_by_script(const std::filesystem::path& scripts, const std
 
 std::string field_named_by_script(const std::filesystem::path& scripts, const std::string& named) {
   return named_by_script("field", "fields", scripts, named, kTomlFiles);
+}
+
+std::string interface_named_by_script(const std::filesystem::path& scripts, const std::string& named) {
+  return named_by_script("interface", "interfaces", scripts, named, kTomlFiles);
+}
+
+ApplicationInterface interface_named(const std::filesystem::path& named) {
+  if (named.empty()) return {};
+  return load_interface(existing_file("interface", "interfaces", named, kTomlFiles));
 }
 
 std::filesystem::path body_file(const std::filesystem::path& named) {

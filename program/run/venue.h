@@ -11,6 +11,7 @@
 
 #include "engine/script/machine/machine_definition.h"
 #include "program/run/run_options.h"
+#include "robots/application.h"
 #include "robots/robot_body.h"
 
 namespace reorient {
@@ -38,6 +39,8 @@ std::filesystem::path body_file(const std::filesystem::path& named);
 /// The same for a field; for an empty path the field of the body, if it is known.
 std::filesystem::path field_file(const std::filesystem::path& named);
 std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body);
+/// The same for the interface of an application; for an empty path one that declares nothing.
+ApplicationInterface interface_named(const std::filesystem::path& named);
 /// The shipped bodies, as text: "booster-k1, nao-v6".
 std::string known_bodies();
 
@@ -45,7 +48,8 @@ std::string known_bodies();
 /// empty name. Throws std::runtime_error with one line for a file that is neither below the root nor shipped, without
 /// looking whether it exists: who runs a script need not have read it.
 std::string room_named_by_script(const std::filesystem::path& scripts, const std::string& named);
-/// The same for a field.
+/// The same for a field, and for the interface of an application.
 std::string field_named_by_script(const std::filesystem::path& scripts, const std::string& named);
+std::string interface_named_by_script(const std::filesystem::path& scripts, const std::string& named);
 
 }  // namespace reorient

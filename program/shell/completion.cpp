@@ -20,9 +20,9 @@ namespace {
 
 /// What the value of an option or argument names, if it is not one of a fixed list of choices.
 constexpr std::pair<std::string_view, const char*> kCatalogOf[] = {
-    {"scenario", "scenarios"},     {"--with", "behaviors"},    {"--without", "behaviors"}, {"--body", "bodies"},
-    {"--field", "fields"},         {"--params", "parameters"}, {"--rooms", "rooms"},       {"--room", "rooms"},
-    {"experiment", "experiments"}, {"--mode", "conditions"},   {"--motion", "conditions"},
+    {"scenario", "scenarios"}, {"--with", "behaviors"},       {"--without", "behaviors"}, {"--body", "bodies"},
+    {"--field", "fields"},     {"--interface", "interfaces"}, {"--params", "parameters"}, {"--rooms", "rooms"},
+    {"--room", "rooms"},       {"experiment", "experiments"}, {"--mode", "conditions"},   {"--motion", "conditions"},
 };
 
 /// The words of a command line up to the one that is completed.

@@ -118,7 +118,7 @@ void RunLoop::show_requests() {
 void RunLoop::play_scenario() {
   const FrameRecord& record = parts_.engine.record();
   parts_.behaviors->show(*record.names, record.machines, record.published, record.world.time);
-  scene_.scenario = parts_.scenario->tick({record.world, scene_.truth});
+  scene_.scenario = parts_.scenario->tick({record.world, record.application, scene_.truth});
   bool sides_changed = record.world.sides_changed;
   for (const OperatorAction& action : scene_.scenario.actions)
     carry_out(action, *parts_.robot.the_operator, inputs_.external, sides_changed, record.world.referee);

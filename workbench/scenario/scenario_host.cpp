@@ -44,6 +44,7 @@ ScenarioSetting ScenarioHost::setting() const {
 const ScenarioRecord& ScenarioHost::tick(const ScenarioView& view) {
   values_.clear();
   append_scenario_world(view.world, view.truth, values_);
+  language_.actions().set_application(view.application);
   const ScriptOutput& said = host_.tick(view.world.time, values_);
   record_.names = host_.names().table();
   host_.read_status(record_.machines);
@@ -99,6 +100,12 @@ void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInp
       return;
     case Kind::set_kick_off:
       said().kick_off = action.referee.kick_off;
+      return;
+    case Kind::set_input:
+      external.values.push_back(action.value);
+      return;
+    case Kind::report_action:
+      external.reports.push_back(action.report);
       return;
     case Kind::half_time:
       sides_changed = !sides_changed;

@@ -39,6 +39,7 @@ struct ScenarioRecord {
 /// Inputs of a scenario.
 struct ScenarioView {
   const World& world;
+  const ApplicationRecord& application;
   std::optional<GroundTruth> truth;
 };
 

@@ -4,8 +4,10 @@
 #include <array>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/language/lua_fields.h"
 #include "engine/script/language/world_fields.h"
 #include "geometry/settable_pose.h"
 
@@ -76,6 +78,10 @@ std::string_view to_string(OperatorAction::Kind kind) {
       return "stop_game";
     case OperatorAction::Kind::set_kick_off:
       return "set_kick_off";
+    case OperatorAction::Kind::set_input:
+      return "set_input";
+    case OperatorAction::Kind::report_action:
+      return "report_action";
   }
   return "";
 }
@@ -122,6 +128,17 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
                                             "Sets the initial pose (m, m, rad)."),
       script_function<&A::tell_message>("operator.tell_message", {"sender", "text"},
                                         "Sends the robot a message of a teammate, at most 240 bytes."),
+      raw_script_function<A, &A::set_input>(
+          "application", "set", {{"values", "table"}}, "",
+          "Sets values of the application, which the scenario plays, as in { ball = { x = 1.0, seen = true } }."),
+      script_function<&A::action_state>("application.state", {"action"},
+                                        "State of an action's latest start: idle, requested, running, done or failed."),
+      raw_script_function<A, &A::action_argument>("application", "argument",
+                                                  {{"action", "string"}, {"argument", "string"}}, "any",
+                                                  "An argument of an action's latest start."),
+      script_function<&A::report_action>(
+          "application.report", {"action", "state", "reason"},
+          "Reports that the latest start of an action is running, done or failed, with a reason."),
       script_function<&A::half_time>("operator.half_time", {},
                                      "Signals that the teams change sides. The robot stays in place, and from then on "
                                      "all poses are in the axes of the new half."),
@@ -170,6 +187,47 @@ void ScenarioActions::put_down(double x, double y, double rotation) {
 
 void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
   act({OperatorAction::Kind::set_initial_pose, settable_pose("operator.set_initial_pose", x, y, rotation), 0.0, false});
+}
+
+std::size_t ScenarioActions::index_of_action(std::string_view name) const {
+  std::vector<std::string> known;
+  for (const DeclaredAction& action : application_->declared->actions) {
+    if (action.name == name) return known.size();
+    known.push_back(action.name);
+  }
+  throw std::runtime_error("the application has no action '" + std::string(name) + "'" + did_you_mean(name, known));
+}
+
+const ActionStatus& ScenarioActions::status_of(std::string_view name) const {
+  return application_->actions[index_of_action(name)];
+}
+
+int ScenarioActions::set_input(lua_State* L) {
+  constexpr std::int64_t kPriceOfSetting = 500;
+  Sandbox::of(L).charge(kPriceOfSetting);
+  require_acting();
+  for (SetValue& value : read_inputs(L, 1, *application_->declared)) {
+    OperatorAction action{OperatorAction::Kind::set_input, {}, 0.0, false};
+    action.value = std::move(value);
+    act(action);
+  }
+  return 0;
+}
+
+int ScenarioActions::action_argument(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1), argument = luaL_checkstring(L, 2);
+  const ActionStatus& status = status_of(name);
+  if (status.id == 0) throw std::runtime_error("application.argument: action '" + name + "' was never requested");
+  push_argument(L, application_->declared->actions[index_of_action(name)].arguments, status.arguments, argument,
+                "action." + name);
+  return 1;
+}
+
+void ScenarioActions::report_action(std::string_view name, std::string_view state,
+                                    std::optional<std::string_view> reason) {
+  OperatorAction action{OperatorAction::Kind::report_action, {}, 0.0, false};
+  action.report = report_of(status_of(name).id, state, reason.value_or(""));
+  act(action);
 }
 
 void ScenarioActions::set_game_state(std::string_view state) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/record/frame_record.h"
 #include "engine/script/language/script_language.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/world/world.h"
@@ -32,9 +33,11 @@ struct OperatorAction {
     tell_message,
     set_game_state,
     stop_game,
-    set_kick_off
+    set_kick_off,
+    set_input,
+    report_action
   };
-  friend constexpr int enum_count(Kind) { return 12; }
+  friend constexpr int enum_count(Kind) { return 14; }
 
   Kind kind = Kind::pick_up;
   Pose2 pose;              ///< of put_down, set_initial_pose
@@ -42,10 +45,13 @@ struct OperatorAction {
   bool penalized = false;  ///< of penalize
   Message message{};       ///< of tell_message
   RefereeState referee{};  ///< the field that the kind of action sets
+  SetValue value{};        ///< of set_input
+  ActionReport report{};   ///< of report_action
 };
 template <typename Visit, ConstOr<OperatorAction> T>
 void fields(Visit&& visit, T& action) {
-  visit(action.kind, action.pose, action.stops, action.penalized, action.message, action.referee);
+  visit(action.kind, action.pose, action.stops, action.penalized, action.message, action.referee, action.value,
+        action.report);
 }
 
 /// A message of a teammate from a script. Throws std::runtime_error with one line if it is invalid.
@@ -69,6 +75,8 @@ class ScenarioActions : public ScriptActions {
   explicit ScenarioActions(std::uint64_t seed) : random_(seed, kStream) {}
 
   void begin_frame(ScriptOutput& output, double time) override;
+  /// Sets the application of the next frame, which must outlive it.
+  void set_application(const ApplicationRecord& application) { application_ = &application; }
 
   const std::vector<OperatorAction>& actions() const { return actions_; }     ///< of this frame
   const std::optional<ScenarioVerdict>& verdict() const { return verdict_; }  ///< does not change after it was given
@@ -86,6 +94,12 @@ class ScenarioActions : public ScriptActions {
   void change_light() { act({OperatorAction::Kind::change_light, {}, 0.0, false}); }
   void set_initial_pose(double x, double y, double rotation);
   void tell_message(std::int64_t sender, std::string_view text);
+  /// Arguments: a table of values (lua_fields.h).
+  int set_input(lua_State* L);
+  std::string_view action_state(std::string_view name) { return to_string(status_of(name).state); }
+  /// Arguments: the names of an action and of one of its arguments. Returns the content.
+  int action_argument(lua_State* L);
+  void report_action(std::string_view name, std::string_view state, std::optional<std::string_view> reason);
   void half_time() { act({OperatorAction::Kind::half_time, {}, 0.0, false}); }
   /// A number in [low, high): deterministic for the seed and the sequence of calls.
   double draw(double low, double high);
@@ -95,12 +109,16 @@ class ScenarioActions : public ScriptActions {
  private:
   void act(const OperatorAction& action);
   void judge(bool succeeded, std::string_view text);
+  std::size_t index_of_action(std::string_view name) const;
+  const ActionStatus& status_of(std::string_view name) const;
 
   static constexpr std::uint64_t kStream = 0xc4a9ce;
 
   Random random_;
   std::vector<OperatorAction> actions_;
   std::optional<ScenarioVerdict> verdict_;
+  ApplicationRecord nothing_;
+  const ApplicationRecord* application_ = &nothing_;
 };
 
 class ScenarioLanguage : public ScriptLanguage {

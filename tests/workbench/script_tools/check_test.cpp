@@ -365,5 +365,80 @@ TEST_F(ScriptCheckTest, CanBeRestrictedToAFile) {
   EXPECT_THROW(check_scripts(folder.path(), elsewhere), std::runtime_error);
 }
 
+/// Behaviors, scenarios and tests that use an interface in interfaces/ of the scripts' root.
+class ApplicationCheckTest : public ScriptCheckTest {
+ protected:
+  ApplicationCheckTest() {
+    folder.write("interfaces/team.toml", R"([values.drone.height]
+type = "number"
+description = "x"
+[values.drone.mode]
+type = "text"
+choices = ["hover", "land"]
+description = "x"
+[values.drone.place]
+type = "pose"
+description = "x"
+[values.others]
+type = "list"
+most = 3
+description = "x"
+[values.others.record.name]
+type = "text"
+description = "x"
+[actions.fly]
+description = "x"
+[actions.fly.arguments.speed]
+type = "number"
+description = "x"
+[actions.fly.arguments.style]
+type = "text"
+choices = ["slow", "fast"]
+default = "slow"
+description = "x"
+)");
+  }
+};
+
+TEST_F(ApplicationCheckTest, FindsUnknownValuesActionsAndArguments) {
+  folder.write("behaviors/b.lua", R"(local drone = input.drone
+behavior "b" { update = function()
+  print(input.drone.heigth + 1, input.dron.height, input.age.drone.high, input.valid.othrs)
+  if input.drone.mode == "landing" then print(drone.place.rotatio) end
+  action.fli { speed = 1 }
+  action.fly { sped = 1 }
+  action.fly { speed = "fast" }
+  action.fly { speed = 1, style = "medium" }
+  if action.fly.state == "runing" then print(action.fly.reasn) end
+  print(input.drone.mode + 1)
+  for _, other in ipairs(input.others) do print(other.name) end
+end })");
+  EXPECT_EQ(findings(),
+            R"(behaviors/b.lua:3:21: error: input.drone has no field 'heigth' (did you mean 'height'?)
+)");
+}
+
+TEST_F(ApplicationCheckTest, FindsAnActionInACondition) {
+  folder.write("behaviors/b.lua", R"(behavior "b" { initial = "a",
+  state "a" { { "b", when = function() action.fly { speed = 1 } return input.drone.height > 1 end } },
+  state "b" {} })");
+  EXPECT_NE(findings().find("behaviors/b.lua:2:"), std::string::npos) << findings();
+}
+
+TEST_F(ApplicationCheckTest, ChecksTestsAndScenarios) {
+  folder.write("behaviors/b.lua",
+               R"(behavior "b" { update = function() action.fly { speed = input.drone.height } end })");
+  folder.write("scenarios/s.lua", R"(scenario "s" { behaviors = { "b" }, interface = "team",
+  update = function() application.set { drone = { height = 1 } } application.report("fly", "done") end })");
+  folder.write("tests/b_test.lua", R"(test("flies", function()
+  load_interface "interfaces/team.toml"
+  load_behavior "b"
+  set_input { drone = { hight = 1.0 } }
+  advance(0.1)
+  expect.started "fli"
+end))");
+  EXPECT_EQ(findings(), "");
+}
+
 }  // namespace
 }  // namespace reorient

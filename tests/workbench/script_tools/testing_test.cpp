@@ -55,6 +55,97 @@ class ScriptedTests : public ::testing::Test {
   TestSummary summary;
 };
 
+/// Tests of a behavior with values and actions of an application.
+class ScriptedApplicationTests : public ScriptedTests {
+ protected:
+  ScriptedApplicationTests() {
+    folder.write("behaviors/keeper.lua", R"(behavior "keeper" { initial = "waiting",
+      state "waiting" { { "catching", when = function() return input.ball.near and input.valid.ball.near end } },
+      state "catching" { enter = function() action.catch { hand = "left" } end,
+        { "waiting", when = function() return action.catch.state == "done" end, because = "caught" },
+        { "sorry", when = function() return action.catch.state == "failed" end, because = "missed" } },
+      state "sorry" { enter = function() log.info(action.catch.reason) end } })");
+  }
+  const TestSummary& run_with_interface(const std::string& test) {
+    folder.write("tests/keeper_test.lua",
+                 "test(\"one\", function()\n load_interface \"hands\" load_behavior \"keeper\"\n" + test + "\nend)");
+    out.str("");
+    TestRun run{folder.path(), {}, {}, {}, 60.0, {}};
+    run.load_interface = [](const std::string& name) {
+      if (name != "hands") throw std::runtime_error("unknown interface '" + name + "'");
+      ApplicationInterface declared;
+      DeclaredField near;
+      near.type = FieldType::boolean;
+      near.initial = {{0.0}, {}};
+      declared.values.push_back({"ball.near", "", {near}});
+      DeclaredField hand;
+      hand.name = "hand";
+      hand.type = FieldType::text;
+      hand.choices = {"left", "right"};
+      hand.is_required = true;
+      declared.actions.push_back({"catch", "", {hand}, 3.0, true});
+      return declared;
+    };
+    summary = run_script_tests(run, out, trace);
+    return summary;
+  }
+};
+
+TEST_F(ScriptedApplicationTests, SetValuesAndSeeStartedActions) {
+  EXPECT_EQ(run_with_interface(R"(
+    advance(0.1)
+    expect.not_started "catch"
+    set_input { ball = { near = true } }
+    advance(0.1)
+    expect.state("keeper", "catching")
+    expect.started "catch"
+    expect.started("catch", { hand = "left" })
+    report_action("catch", "running")
+    advance(0.1)
+    expect.not_started "catch"
+    report_action("catch", "failed", "slippery")
+    advance(0.1)
+    expect.reason("keeper", "missed")
+    expect.log "slippery")")
+                .passed,
+            1)
+      << out.str();
+}
+
+TEST_F(ScriptedApplicationTests, FailWithWhatHappenedInstead) {
+  run_with_interface("set_input { ball = { near = true } } advance(0.1) expect.started('catch', { hand = 'right' })");
+  EXPECT_EQ(only_failure(), "expected start of catch { hand = \"right\" }\n  actual catch { hand = \"left\" }");
+  run_with_interface("advance(0.1) expect.started 'catch'");
+  EXPECT_EQ(only_failure(), "expected start of catch\n  actual no start");
+  run_with_interface("set_input { ball = { near = true } } advance(0.1) expect.not_started 'catch'");
+  EXPECT_EQ(only_failure(), "expected no start of catch\n  actual catch { hand = \"left\" }");
+}
+
+TEST_F(ScriptedApplicationTests, RefuseWrongNamesAndTypes) {
+  const struct {
+    const char* line;
+    const char* message;
+  } cases[] = {
+      {"set_input { ball = { neer = true } }", "input has no value 'ball.neer' (did you mean 'ball.near'?)"},
+      {"set_input { ball = { near = 3 } }", "ball.near: expected true or false, found a number"},
+      {"set_input { bal = 1 }", "input has no value 'bal'"},
+      {"set_input(3)", "input: expected a table of values, as in { ball = { x = 1.0 } }, found a number"},
+      {"expect.started 'cach'", "unknown action 'cach' (did you mean 'catch'?)"},
+      {"expect.started('catch', { hand = 'up' })", "catch: hand: expected left or right, found 'up'"},
+      {"report_action('catch', 'done')", "expected a report about an action that was requested"},
+      {"load_interface 'hands'", "load_interface: expected a call before load_behavior and load_scenario"},
+  };
+  for (const auto& [line, message] : cases) {
+    run_with_interface(line);
+    EXPECT_NE(only_failure().find(message), std::string::npos) << line << ": " << out.str();
+  }
+}
+
+TEST_F(ScriptedTests, WithoutInterfacesSayThatTheyAreNotSupported) {
+  run(R"(test("one", function() load_interface "hands" end))");
+  EXPECT_NE(only_failure().find("load_interface: interfaces are not supported here"), std::string::npos);
+}
+
 TEST_F(ScriptedTests, ReceiveAndSendMessagesOfTheTeam) {
   folder.write("behaviors/parrot.lua", R"(behavior "parrot" {
     update = function() for i = 1, team.heard() do team.send(team.sender(i) .. ": " .. team.text(i)) end end

@@ -14,6 +14,7 @@
 #include "engine/script/script_host.h"
 #include "engine/script/source/source_locations.h"
 #include "workbench/files/input_file.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
@@ -32,7 +33,7 @@ auto order(const Finding& finding) {
 }
 
 TextsToCheck read_texts_to_check(const std::filesystem::path& root) {
-  TextsToCheck texts{read_scripts(root)};
+  TextsToCheck texts{.scripts = read_scripts(root), .interfaces = known_interfaces(root)};
   for (const std::string& file : scripted_tests(root)) {
     try {
       texts.tests[file] = {read_input(root / file, "a scripted test"), ""};
@@ -73,7 +74,9 @@ void drop_findings_without_column(std::vector<Finding>& all) {
 
 class ScriptCheck {
  public:
-  explicit ScriptCheck(TextsToCheck texts) : texts_(std::move(texts.scripts)), tests_(std::move(texts.tests)) {
+  explicit ScriptCheck(TextsToCheck texts)
+      : texts_(std::move(texts.scripts)), tests_(std::move(texts.tests)), application_(merged(texts.interfaces)) {
+    declared_.interfaces = std::move(texts.interfaces);
     declare(core_, core_parameters_);
   }
 
@@ -143,7 +146,7 @@ class ScriptCheck {
   }
 
   void load_together(const std::vector<std::string>& behaviors) {
-    BehaviorLanguage language;
+    BehaviorLanguage language(application_);
     ScriptHost host(texts_, language, core_parameters_);
     for (const std::string& file : behaviors) load(host, file);
     take_in(host);
@@ -157,7 +160,7 @@ class ScriptCheck {
     load(host, scenario);
     take_in(host);
     take_in(parameters);
-    BehaviorLanguage behavior_language;
+    BehaviorLanguage behavior_language(application_);
     ScriptHost behaviors(texts_, behavior_language, core_parameters_);
     for (const MachineDefinition* machine : host.definitions()) {
       for (const std::string& behavior : machine->behaviors)
@@ -249,6 +252,7 @@ class ScriptCheck {
   std::map<std::string, ScriptText> tests_;
   CoreParameters core_;
   ParameterRegistry core_parameters_;  ///< the engine's, whose names scripts must not use
+  ApplicationState application_;
   DeclaredNames declared_;
   std::map<std::string, std::shared_ptr<TableSymbol>> modules_;
   std::set<std::string> checked_libraries_, taken_in_texts_;

@@ -23,7 +23,8 @@ struct CheckResult {
 /// What is checked. The files are named from the scripts' root.
 struct TextsToCheck {
   ScriptTexts scripts;
-  std::map<std::string, ScriptText> tests{};  ///< scripted tests
+  std::map<std::string, ScriptText> tests{};       ///< scripted tests
+  std::vector<ApplicationInterface> interfaces{};  ///< of applications, any of which a run may have
 };
 
 /// The files *_test.lua below tests/, by name, from the root.

@@ -45,6 +45,12 @@ class Vocabulary {
     named_["reorient.BehaviorScript"] = one_of(declared.behavior_scripts);
     named_["reorient.ScenarioScript"] = one_of(declared.scenario_scripts);
     named_["reorient.ParameterName"] = one_of(declared.parameters);
+    named_["reorient.InputValues"] = {kTable, values_table(nullptr)};
+    std::set<std::string> actions;
+    for (const ApplicationInterface& interface : declared.interfaces) {
+      for (const DeclaredAction& action : interface.actions) actions.insert(action.name);
+    }
+    named_["reorient.ApplicationAction"] = one_of(std::move(actions));
   }
 
   void add_library() {
@@ -87,6 +93,22 @@ class Vocabulary {
     globals_.fields["published"] = {kTable, std::move(flags)};
   }
 
+  /// `input` and `action`: the values and actions of all interfaces. A value that two of them declare differently may
+  /// have either type.
+  void add_application() {
+    auto input = values_table(nullptr);
+    const Symbol age{kNumber}, valid{kBoolean};
+    input->fields["age"] = {kTable, values_table(&age)};
+    input->fields["valid"] = {kTable, values_table(&valid)};
+    globals_.fields["input"] = {kTable, std::move(input)};
+    auto actions = new_table("action");
+    actions->missing = "the application has no action '";
+    for (const ApplicationInterface& interface : declared_.interfaces) {
+      for (const DeclaredAction& action : interface.actions) actions->fields[action.name] = action_symbol(action);
+    }
+    globals_.fields["action"] = {kTable, std::move(actions)};
+  }
+
   void forget(const std::string& word) { globals_.fields.erase(word); }
 
   SymbolTable take() {
@@ -122,6 +144,76 @@ class Vocabulary {
     const std::size_t colon = text.find(':');
     table(std::string(text.substr(0, dot))).fields[std::string(text.substr(dot + 1, colon - dot - 1))] =
         symbol_of_type(text.substr(colon + 1), named_);
+  }
+
+  static Symbol content_symbol(const DeclaredField& field) {
+    const auto coordinates = [&](std::initializer_list<const char*> names) {
+      auto table = new_table(field.name.empty() ? "the value" : field.name);
+      for (const char* const name : names) table->fields[name] = {kNumber};
+      return Symbol{kTable, std::move(table)};
+    };
+    switch (field.type) {
+      case FieldType::boolean:
+        return {kBoolean};
+      case FieldType::text:
+        return field.choices.empty() ? Symbol{kString} : one_of({field.choices.begin(), field.choices.end()});
+      case FieldType::point:
+        return coordinates({"x", "y"});
+      case FieldType::pose:
+        return coordinates({"x", "y", "rotation"});
+      case FieldType::number:
+      case FieldType::integer:
+        break;
+    }
+    return {kNumber};
+  }
+
+  /// `all`: the symbol of each value; nullptr: its content.
+  std::shared_ptr<TableSymbol> values_table(const Symbol* all) const {
+    auto table = new_table("input");
+    table->missing = "input has no value '";
+    std::map<std::string, std::shared_ptr<TableSymbol>> groups;
+    const auto add_value = [](TableSymbol& owner, const std::string& name, Symbol symbol) {
+      const auto [place, is_new] = owner.fields.emplace(name, symbol);
+      if (!is_new && place->second.types != symbol.types) place->second = Symbol{};
+    };
+    for (const ApplicationInterface& interface : declared_.interfaces) {
+      for (const DeclaredValue& value : interface.values) {
+        const Symbol symbol = all != nullptr    ? *all
+                              : value.is_list() ? Symbol{kTable}
+                                                : content_symbol(value.fields.front());
+        const std::size_t dot = value.name.find('.');
+        if (dot == std::string::npos) {
+          add_value(*table, value.name, symbol);
+          continue;
+        }
+        std::shared_ptr<TableSymbol>& group = groups[value.name.substr(0, dot)];
+        if (group == nullptr) group = new_table("input." + value.name.substr(0, dot));
+        add_value(*group, value.name.substr(dot + 1), symbol);
+      }
+    }
+    for (auto& [name, group] : groups) table->fields[name] = {kTable, std::move(group)};
+    return table;
+  }
+
+  static Symbol action_symbol(const DeclaredAction& action) {
+    auto arguments = new_table("action." + action.name);
+    ArgumentSymbol argument{"arguments", {}, true};
+    for (const DeclaredField& field : action.arguments) {
+      arguments->fields[field.name] = content_symbol(field);
+      argument.may_be_left_out = argument.may_be_left_out && !field.is_required;
+    }
+    argument.value = {kTable, std::move(arguments)};
+    FunctionSymbol call;
+    call.arguments.push_back(std::move(argument));
+    call.most_results = 0;
+    call.acts = true;
+    auto status = new_table("action." + action.name);
+    std::set<std::string> states;
+    for (int i = 0; i < enum_count(ActionState()); ++i) states.emplace(to_string(static_cast<ActionState>(i)));
+    status->fields = {{"state", one_of(std::move(states))}, {"reason", {kString}}, {"time_in_state", {kNumber}}};
+    return {static_cast<ValueTypes>(kTable | kFunction), std::move(status),
+            std::make_shared<const FunctionSymbol>(std::move(call))};
   }
 
   /// The argument of `set_world`: any of the tables with any of their fields.
@@ -164,6 +256,7 @@ SymbolTable symbol_table(ScriptRole role, const DeclaredNames& declared) {
   if (role == ScriptRole::scenario) known.forget("behavior");
   // Behaviors and scenarios may both load a library, so it knows the names of both.
   if (role != ScriptRole::scenario) known.add_language(BehaviorLanguage());
+  if (role != ScriptRole::scenario) known.add_application();
   if (role != ScriptRole::behavior) known.add_language(ScenarioLanguage());
   return known.take();
 }

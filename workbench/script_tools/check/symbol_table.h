@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "robots/application.h"
 #include "workbench/script_tools/check/value_types.h"
 
 namespace reorient {
@@ -58,6 +59,7 @@ struct DeclaredNames {
   std::set<std::string> published;  ///< flags that some state publishes
   std::set<std::string> parameters;
   std::set<std::string> behavior_scripts, scenario_scripts;  ///< names under which they can be loaded
+  std::vector<ApplicationInterface> interfaces;              ///< any of which a run may have
 };
 
 struct SymbolTable {

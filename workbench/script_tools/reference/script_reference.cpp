@@ -179,7 +179,8 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
          "boolean\n---@field publishes? string\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field room? string\n"
-         "---@field hall_seed? integer\n---@field field? string\n---@field enter? fun()\n---@field update? fun()\n"
+         "---@field hall_seed? integer\n---@field field? string\n---@field interface? string\n---@field enter? "
+         "fun()\n---@field update? fun()\n"
          "---@field exit? fun()\n---@field [integer] table\n\n";
   for (const WorldTable& table : scenarios().tables()) {
     out << "---" << table.description << "\n---@class reorient." << table.name << "\n";
@@ -210,6 +211,7 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
     const std::string names = quoted_list(type.names, "|");
     out << "---@alias " << type.type << " " << (names.empty() ? "string" : names) << "\n";
   }
+  out << "---@alias reorient.InputValues table<string, any>\n";
   out << "\n---@class " << kWorldType << "\n";
   for (const WorldTable& table : scenarios().tables())
     out << "---@field " << table.name << "? table<string, number|boolean|string>\n";
@@ -251,7 +253,10 @@ std::string script_luacheck() {
     }
   }
   for (const std::string& name : globals) {
-    out << "  " << name << (name == "behaviors" || name == "published" ? " = { other_fields = true },\n" : " = {},\n");
+    out << "  " << name
+        << (name == "behaviors" || name == "published" || name == "input" || name == "action"
+                ? " = { other_fields = true },\n"
+                : " = {},\n");
   }
   for (const auto& [table, names] : tables) out << "  " << table << " = fields(" << names << "),\n";
   out << "} }\nstds.reorient_test = { read_globals = {\n  expect = { other_fields = true },\n";

@@ -48,7 +48,8 @@ constexpr ScriptWord kLanguage[] = {
      "script.",
      {}},
     {"behaviors", "behaviors.orientation.state == \"watching\"",
-     "The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s). Of a machine that "
+     "The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s). Of a machine "
+     "that "
      "does not run they are nil and 0; `reorient check` reports unknown names.",
      "---@class reorient.Machine\n---@field state string? path of the innermost active state\n---@field time_in_state "
      "number s\n\n---@type table<string, reorient.Machine>\nbehaviors = {}"},
@@ -56,6 +57,21 @@ constexpr ScriptWord kLanguage[] = {
      "Whether a state with `publishes = \"pose_is_searched\"` of any machine was active at the start of the frame; "
      "false if no script publishes it.",
      "---@type table<string, boolean>\npublished = {}"},
+    {"input", "if input.valid.ball.x and input.ball.x > 0 then action.kick { foot = \"left\" } end",
+     "The values of the application, read-only: `input.NAME` has always a value of its type, `input.age.NAME` is the "
+     "time since it was set (s; infinite if never), `input.valid.NAME` tells whether it is not too old and fits its "
+     "declaration. An interface declares them (docs/applications.md).",
+     "---@class reorient.Input: table<string, any>\n---@field age table<string, any>\n---@field valid table<string, "
+     "any>"
+     "\n\n---@type reorient.Input\ninput = {}"},
+    {"action", "action.kick { foot = \"left\", direction = 0.3 }",
+     "The actions of the application. `action.NAME { ... }` requests one in `enter`, `update` or `exit`; repeated with "
+     "the same arguments, it continues. `action.NAME.state` is `idle`, `requested`, `running`, `done` or `failed`, "
+     "`.reason` tells why it failed, and `.time_in_state` for how long (s).",
+     "---@class reorient.Action\n---@field state \"idle\"|\"requested\"|\"running\"|\"done\"|\"failed\"\n---@field "
+     "reason "
+     "string\n---@field time_in_state number s\n---@operator call(table): nil\n\n---@type table<string, "
+     "reorient.Action>\naction = {}"},
     {"print(...: any)",
      "print(\"flips\", memory.flips)",
      "Writes a line to the run's log; in a test, a line below its result.",
@@ -80,6 +96,20 @@ constexpr ScriptWord kTest[] = {
      "age and status of the confidences, whether training and evaluation are active) follow the engine's own rules "
      "until the test sets it itself. A granted command changes the pose and the confidences as it does in the engine: "
      "after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.",
+     {}},
+    {"load_interface(interface: string)",
+     "load_interface \"soccer\"",
+     "Declares the values and actions of an application: a name in assets/interfaces, or a path from the scripts' "
+     "root. "
+     "Call it before `load_behavior`.",
+     {}},
+    {"set_input(values: reorient.InputValues)",
+     "set_input { ball = { x = 1.0, seen = true } }",
+     "Sets values of the application in the next frame. They stay until they are set again; their age grows.",
+     {}},
+    {"report_action(action: reorient.ApplicationAction, state: string, reason?: string)",
+     "report_action(\"kick\", \"failed\", \"no ball\")",
+     "Reports in the next frame that the latest start of an action is running, done or failed.",
      {}},
     {"set_param(name: reorient.ParameterName, value: string)",
      "set_param(\"decision.false_flips\", \"1\")",
@@ -122,6 +152,15 @@ constexpr ScriptWord kTest[] = {
     {"world_value(name: string): number|string|boolean value",
      "expect.near(world_value(\"pose.x\"), 1.2, 0.1)",
      "Returns a value of the world as behaviors read it in this frame.",
+     {}},
+    {"expect.started(action: reorient.ApplicationAction, arguments?: table)",
+     "expect.started(\"kick\", { foot = \"left\" })",
+     "A behavior started the action during the last `advance`, with these arguments if they are given; arguments that "
+     "are left out have their defaults.",
+     {}},
+    {"expect.not_started(action: reorient.ApplicationAction)",
+     "expect.not_started \"kick\"",
+     "No behavior started the action during the last `advance`.",
      {}},
     {"expect.as_recorded()",
      "expect.as_recorded()",
@@ -291,6 +330,7 @@ std::vector<NameType> name_types() {
   return {{"reorient.CommandName", names_of<Reorientation, Pause>()},
           {"reorient.Verdict", names_of<Verdict>()},
           {"reorient.PauseName", names_of<Pause>()},
+          {"reorient.ApplicationAction", {}},
           {"reorient.ActionName", names_of<OperatorAction::Kind>()},
           {"reorient.MachineName", {}},
           {"reorient.StatePath", {}},

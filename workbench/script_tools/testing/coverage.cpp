@@ -10,6 +10,7 @@
 #include "engine/script/language/behavior_language.h"
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 
@@ -170,7 +171,8 @@ const MachineTrace* CoverageTrace::find(const MachineDefinition& machine) const 
 std::vector<std::string> report_coverage(const CoverageTrace& trace, const std::filesystem::path& scripts_root,
                                          std::ostream& out) {
   const ScriptTexts texts = read_scripts(scripts_root);
-  BehaviorLanguage behavior_language;
+  const ApplicationState application(merged(known_interfaces(scripts_root)));
+  BehaviorLanguage behavior_language(application);
   ScenarioLanguage scenario_language;
   CoverageReport report(trace, out);
   std::vector<std::string> failures;

@@ -74,6 +74,9 @@ class SeenObserver : public Observer {
 };
 
 /// Result of a whole run.
+/// The interface of an application that a test names. Throws std::runtime_error with one line.
+using LoadInterface = std::function<ApplicationInterface(const std::string& name)>;
+
 struct SimulationOutcome {
   bool is_correct = false;  ///< the belief fits the truth at the end
   double seconds = 0.0;     ///< of the robot's time

@@ -54,11 +54,13 @@ std::string shortened(std::string text) {
 }
 
 TestBench::TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
-                     const PlayRecording& play_recording, TestBudget& budget, CoverageTrace& trace)
+                     const PlayRecording& play_recording, const LoadInterface& load_interface, TestBudget& budget,
+                     CoverageTrace& trace)
     : root_(std::move(scripts_root)),
       texts_(std::move(texts)),
       simulate_(simulate),
       play_recording_(play_recording),
+      load_interface_(load_interface),
       budget_(budget),
       trace_(trace) {
   parameters_.bind("arbiter", arbiter_parameters_);
@@ -86,6 +88,9 @@ void TestBench::add_to(lua_State* L) {
   add_function<&TestBench::load_behavior>(L, "load_behavior");
   add_function<&TestBench::load_scenario>(L, "load_scenario");
   add_function<&TestBench::set_world>(L, "set_world");
+  add_function<&TestBench::load_interface>(L, "load_interface");
+  add_function<&TestBench::set_input>(L, "set_input");
+  add_function<&TestBench::report_action>(L, "report_action");
   add_function<&TestBench::set_param>(L, "set_param");
   add_function<&TestBench::hear>(L, "hear");
   add_function<&TestBench::advance>(L, "advance");
@@ -120,6 +125,8 @@ void TestBench::add_expectations(lua_State* L) {
   add_function<&TestBench::expect_message>(L, "message");
   add_function<&TestBench::expect_action>(L, "action");
   add_function<&TestBench::expect_verdict>(L, "verdict");
+  add_function<&TestBench::expect_started>(L, "started");
+  add_function<&TestBench::expect_not_started>(L, "not_started");
   add_function<&TestBench::expect_error>(L, "error");
   add_function<&TestBench::expect_refused>(L, "refused");
   add_function<&TestBench::expect_equal>(L, "equal");
@@ -129,7 +136,7 @@ void TestBench::add_expectations(lua_State* L) {
 
 Behaviors& TestBench::behaviors() {
   if (!behaviors_) {
-    behaviors_ = std::make_unique<Behaviors>(texts_, parameters_, limits_);
+    behaviors_ = std::make_unique<Behaviors>(texts_, application_, parameters_, limits_);
     arbiter_ = Arbiter(arbiter_parameters_);
   }
   return *behaviors_;
@@ -276,6 +283,7 @@ void TestBench::hear(std::int64_t sender, std::string_view text) {
 
 /// Expectations apply to the frames that follow; expectations of transitions apply to all frames.
 void TestBench::begin_advance() {
+  started_.clear();
   std::vector<SeenTransition> before = std::move(seen_.transitions);
   seen_ = {};
   seen_.transitions = std::move(before);
@@ -308,8 +316,11 @@ void TestBench::step() {
   const World& world = fake_world_.begin_frame(static_cast<double>(frame_) / kFramesPerSecond, arbiter_.last(),
                                                {.is_pose_set = std::exchange(is_pose_set_, false)});
   ++frame_;
+  set_application(world.time);
   scripts.tick(world, messages_);
   messages_.clear();
+  application_.start(scripts.wanted().actions, world.time);
+  started_.insert(started_.end(), application_.started().begin(), application_.started().end());
   arbiter_.set_parameters(arbiter_parameters_);
   const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world);
   fake_world_.end_frame(arbitration);
@@ -325,7 +336,8 @@ void TestBench::step() {
     scripts.host().read_status(statuses_);
     scripts.host().read_published(published_);
     recorded_.show(names, statuses_, published_, world.time);
-    const ScenarioRecord& record = scenario_->tick({world, truth_});
+    application_record_.take(application_);
+    const ScenarioRecord& record = scenario_->tick({world, application_record_, truth_});
     seen_.note_scenario(record);
     trace_.note(scenario_->machines(), *record.names, record.transitions);
   }

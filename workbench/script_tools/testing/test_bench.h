@@ -38,9 +38,10 @@ std::string shortened(std::string text);
 class TestBench {
  public:
   /// `texts`: all scripts below the root. If `simulate` is empty, simulate() ends the test and needs_simulator() is
-  /// true. If `play_recording` is empty, replay() is an error.
+  /// true. If `play_recording` or `load_interface` is empty, replay() or load_interface() is an error.
   TestBench(std::filesystem::path scripts_root, ScriptTexts texts, const Simulate& simulate,
-            const PlayRecording& play_recording, TestBudget& budget, CoverageTrace& trace);
+            const PlayRecording& play_recording, const LoadInterface& load_interface, TestBudget& budget,
+            CoverageTrace& trace);
 
   /// Adds the functions to the globals of `L`.
   void add_to(lua_State* L);
@@ -60,12 +61,15 @@ class TestBench {
   int load_behavior(lua_State* L);
   int load_scenario(lua_State* L);
   int set_world(lua_State* L);
+  int set_input(lua_State* L);
   int advance(lua_State* L);
   int reload(lua_State* L);
   int simulate(lua_State* L);
   int print(lua_State* L);
   void set_param(std::string_view name, std::string_view value);
   void hear(std::int64_t sender, std::string_view text);
+  void load_interface(std::string_view name);
+  void report_action(std::string_view name, std::string_view state, std::optional<std::string_view> reason);
   // test_replay.cpp
   void replay(std::string_view file);
   void advance_to(double time);
@@ -85,6 +89,8 @@ class TestBench {
   void expect_message(std::string_view text);
   void expect_action(std::string_view name);
   void expect_verdict(bool succeeded, std::string_view text);
+  int expect_started(lua_State* L);
+  void expect_not_started(std::string_view name);
   void expect_error(std::string_view text);
   void expect_refused(std::string_view text);
   int expect_equal(lua_State* L);
@@ -97,6 +103,7 @@ class TestBench {
   Behaviors& behaviors();
   const World& world() const { return replay_ ? replayed_world_ : fake_world_.world(); }
   void step();
+  void set_application(double time);
   void begin_advance();
   bool step_replay();
   void require_fake_world(const char* what) const;
@@ -111,11 +118,14 @@ class TestBench {
   void expect_text(std::string_view text, const std::vector<std::string>& seen, const std::string& what);
   bool has_lease(std::string_view name) const;
   std::string commands_seen() const;
+  std::uint16_t action_named(std::string_view name) const;
+  std::string started_text(const StartedAction& started) const;
 
   std::filesystem::path root_;
   ScriptTexts texts_;
   const Simulate& simulate_;
   const PlayRecording& play_recording_;
+  const LoadInterface& load_interface_;
   TestBudget& budget_;
   CoverageTrace& trace_;
   bool needs_simulator_ = false;
@@ -133,6 +143,11 @@ class TestBench {
   long frame_ = 0;
   World replayed_world_;           ///< of the last frame of a replay
   std::vector<Message> messages_;  ///< sent with the next frame
+  std::vector<SetValue> inputs_;   ///< set with the next frame
+  std::vector<ActionReport> reports_;
+  ApplicationState application_;
+  ApplicationRecord application_record_;  ///< as the scenario sees it
+  std::vector<StartedAction> started_;    ///< since the last advance() began
   std::optional<GroundTruth> truth_;
   std::unique_ptr<Behaviors> behaviors_;
   RecordedBehaviors recorded_;  ///< the behaviors as the scenario sees them

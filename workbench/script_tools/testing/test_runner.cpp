@@ -69,7 +69,7 @@ class TestFile {
                CoverageTrace& trace) {
     const auto& [name, function] = tests_.at(which);
     TestBudget budget(file);
-    TestBench bench(run.scripts_root, texts, run.simulate, run.play_recording, budget, trace);
+    TestBench bench(run.scripts_root, texts, run.simulate, run.play_recording, run.load_interface, budget, trace);
     bench.add_to(sandbox_.state());
     sandbox_.grant(run.instructions);
     lua_rawgeti(sandbox_.state(), LUA_REGISTRYINDEX, function);

@@ -46,6 +46,7 @@ struct TestRun {
   std::function<void(const std::string& file, const std::string& name)> begin{};  ///< before each test; may be empty
   std::function<void()> end{};             ///< after each test, before its result is written; may be empty
   std::int64_t instructions = 50'000'000;  ///< limit of Lua instructions for each test
+  LoadInterface load_interface{};          ///< empty: tests that load the interface of an application fail
 };
 
 /// Writes one line per test, what it printed, and each failure with file, line, expected and actual value. Fills

@@ -12,6 +12,7 @@
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
 #include "workbench/files/atomic_file.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/script_tools/check/script_check.h"
 #include "workbench/views/live/protocol/client_json.h"
@@ -106,7 +107,7 @@ std::string ScriptServices::check(const std::string& payload) const {
   const ScriptText text{requested_text(request, "check_script"), ""};
   const std::unique_lock lock(checking_, std::try_to_lock);
   if (!lock) throw std::runtime_error("check_script: another check is running; try again");
-  TextsToCheck texts{read_scripts(root_)};
+  TextsToCheck texts{.scripts = read_scripts(root_), .interfaces = known_interfaces(root_)};
   require_listed(file, root_, texts.scripts);
   if (is_test(file)) {
     texts.tests[file] = text;
