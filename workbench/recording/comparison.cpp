@@ -87,6 +87,8 @@ Values values_before_world(const FrameRecord& frame) {
 
 Values values_after_world(const FrameRecord& frame) {
   Values values;
+  for (const NamedScalar& scalar : application_values(frame.application, frame.world.time))
+    values.emplace_back(scalar.name, exact_text(scalar));
   values.emplace_back("events", joined(events_of(frame)));
   for (const MachineStatus& machine : frame.machines) {
     values.emplace_back("machine " + std::string(name_or_nothing(frame, machine.machine)),
@@ -105,6 +107,11 @@ Values actions_of(const FrameRecord& frame) {
                 {"head (yaw, pitch in rad, rad/s)", text_of(request.head)},
                 {"walk (m/s, m/s, rad/s)", text_of(request.walk)},
                 {"get up", request.get_up ? "true" : "false"}};
+  for (const ActionRecord& record : frame.application.requests) {
+    if (record.verdict != Verdict::granted) continue;
+    const DeclaredAction& action = frame.application.declared->actions[record.request.action];
+    values.emplace_back("action " + action.name, to_text(record.request.arguments, action.arguments));
+  }
   for (const std::string& message : frame.answer.messages) values.emplace_back("message to the team", message);
   return values;
 }

@@ -34,22 +34,41 @@ std::uint64_t each_record(Recording& recording, const std::ostream& out, Write w
 }
 
 std::uint64_t write_world(Recording& recording, std::ostream& out) {
-  out << "frame";
-  for (const WorldField& field : world_fields()) out << ',' << field.full_name();
-  out << ",truth.x,truth.y,truth.rotation\n";
+  bool has_head = false;
+  // The application of the first frame; that of a later one may be another, if a client of a companion was replaced.
+  std::vector<NamedScalar> application;
+  const auto write_head = [&] {
+    out << "frame";
+    for (const WorldField& field : world_fields()) out << ',' << field.full_name();
+    for (const NamedScalar& scalar : application) out << ',' << scalar.name;
+    out << ",truth.x,truth.y,truth.rotation\n";
+    has_head = true;
+  };
   std::vector<double> values;
-  return each_record(recording, out, [&](const RecordedFrame& frame, const FrameRecord& record) {
-    values.clear();
-    append_world(record.world, values);
-    out << record.world.frame;
-    for (std::size_t i = 0; i < values.size(); ++i) out << ',' << exact_text(world_fields()[i], values[i]);
-    if (const std::optional<GroundTruth>& truth = frame.entry.scene.truth) {
-      out << ',' << exact_text(truth->pose.position.x()) << ',' << exact_text(truth->pose.position.y()) << ','
-          << exact_text(truth->pose.rotation) << '\n';
-    } else {
-      out << ",,,\n";
-    }
-  });
+  const std::uint64_t left_out =
+      each_record(recording, out, [&](const RecordedFrame& frame, const FrameRecord& record) {
+        const std::vector<NamedScalar> now = application_values(record.application, record.world.time);
+        if (!has_head) {
+          application = now;
+          write_head();
+        }
+        values.clear();
+        append_world(record.world, values);
+        out << record.world.frame;
+        for (std::size_t i = 0; i < values.size(); ++i) out << ',' << exact_text(world_fields()[i], values[i]);
+        for (std::size_t i = 0; i < application.size(); ++i) {
+          const bool has_it = i < now.size() && now[i].name == application[i].name;
+          out << ',' << (has_it ? csv_cell(as_line(exact_text(now[i]))) : std::string());
+        }
+        if (const std::optional<GroundTruth>& truth = frame.entry.scene.truth) {
+          out << ',' << exact_text(truth->pose.position.x()) << ',' << exact_text(truth->pose.position.y()) << ','
+              << exact_text(truth->pose.rotation) << '\n';
+        } else {
+          out << ",,,\n";
+        }
+      });
+  if (!has_head) write_head();
+  return left_out;
 }
 
 std::uint64_t write_events(Recording& recording, std::ostream& out) {

@@ -48,6 +48,13 @@ std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const Scene
                                    command.verdict, time));
     events.back().reorients = command.verdict == Verdict::granted;
   }
+  for (const ActionRecord& record : frame.application.requests) {
+    const DeclaredAction& action = frame.application.declared->actions[record.request.action];
+    const std::string arguments = to_text(record.request.arguments, action.arguments);
+    events.push_back(command_event(*frame.names, record.request.issuer,
+                                   "action " + action.name + (arguments.empty() ? "" : " { " + arguments + " }"),
+                                   record.verdict, time));
+  }
   append_notes(*scene.scenario.names, scene.scenario.logs, time, events);
   append_transitions(*scene.scenario.names, scene.scenario.transitions, time, events);
   return events;

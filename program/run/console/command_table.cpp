@@ -67,10 +67,17 @@ Reply wait(double seconds) {
   };
 }
 
+/// Of the engine that runs already, if any.
+ApplicationInterface application_of(const ConsoleSubject& subject) {
+  const FrameLoop* const engine = subject.engine ? subject.engine() : nullptr;
+  return engine != nullptr ? engine->application() : ApplicationInterface();
+}
+
 }  // namespace
 
 CommandTable::CommandTable(ConsoleSubject subject)
     : parameters_(subject.scenario, std::move(subject.parameters), std::move(subject.kept_parameters)),
+      world_(application_of(subject)),
       scripts_(subject.scenario, std::move(subject.scripts), std::move(subject.engine)),
       controls_(subject.controls) {
   const auto parameter_or_value = [this](const Words& before) {
@@ -152,7 +159,11 @@ Words CommandTable::candidates(const Words& before) const {
 
 std::string CommandTable::observe(const FrameRecord& frame, const SceneTruth& scene) {
   scripts_.observe(frame, scene);
-  return world_.changes(frame.world);
+  if (application_ != frame.application.declared) {
+    application_ = frame.application.declared;
+    world_.take_application(*application_);
+  }
+  return world_.changes(frame);
 }
 
 const Command& CommandTable::find(const std::string& name) const {

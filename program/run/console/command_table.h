@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,7 @@ class CommandTable {
   WorldCommands world_;
   ScriptCommands scripts_;
   RunControls* controls_;
+  std::shared_ptr<const ApplicationInterface> application_;  ///< of the last frame
   std::vector<Command> commands_;
   bool quit_ = false;
 };

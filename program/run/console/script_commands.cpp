@@ -65,16 +65,16 @@ std::string file_of(const std::string& machine, const ScriptTexts& texts) {
 }
 
 /// "confidence.evidence = -3.2, robot.penalized = false": what the condition reads, in this frame.
-std::string values_text(const std::vector<std::string>& fields, const World& world) {
+std::string values_text(const std::vector<std::string>& fields, const FrameRecord& frame) {
   std::string text;
   for (const std::string& field : fields)
-    text.append(text.empty() ? "" : ", ").append(field).append(" = ").append(value_text(world, field));
+    text.append(text.empty() ? "" : ", ").append(field).append(" = ").append(value_text(frame, field));
   return text;
 }
 
 std::string why_text(const MachineStatus& status, const std::vector<OpenCondition>& conditions, const NameTable& names,
-                     const ScriptTexts& texts, const World& world) {
-  const double now = world.time;
+                     const ScriptTexts& texts, const FrameRecord& frame) {
+  const double now = frame.world.time;
   const std::string file = file_of(names[status.machine], texts);
   ConditionFields fields(texts);
   std::string text = fmt::format("  {}: {} for {:.1f} s{}\n", names[status.machine], names[status.state],
@@ -90,7 +90,7 @@ std::string why_text(const MachineStatus& status, const std::vector<OpenConditio
     if (one.machine != status.machine) continue;
     text += fmt::format("    -> {:<{}}  {:<{}}  {} (line {})\n", names[one.target], target_width, progress_text(one),
                         progress_width, as_line(names[one.reason]), one.line);
-    if (const std::string values = values_text(fields.read_at(file, {one.line, 0}), world); !values.empty())
+    if (const std::string values = values_text(fields.read_at(file, {one.line, 0}), frame); !values.empty())
       text += "       " + values + "\n";
   }
   return text;
@@ -118,14 +118,13 @@ Reply ScriptCommands::why(const std::string& machine) const {
     if (const MachineStatus* const status = find(frame.machines, *frame.names, machine)) {
       const FrameLoop* const engine = engine_ ? engine_() : nullptr;
       const ScriptTexts unknown;
-      return why_text(*status, frame.conditions, *frame.names, engine != nullptr ? engine->scripts() : unknown,
-                      frame.world);
+      return why_text(*status, frame.conditions, *frame.names, engine != nullptr ? engine->scripts() : unknown, frame);
     }
     const MachineStatus* const status = find(scene.scenario.machines, *scene.scenario.names, machine);
     if (status == nullptr || scenario_ == nullptr) return "  this machine no longer exists\n";
     std::vector<OpenCondition> conditions;
     scenario_->host().read_conditions(conditions);
-    return why_text(*status, conditions, *scene.scenario.names, scenario_->host().texts(), frame.world);
+    return why_text(*status, conditions, *scene.scenario.names, scenario_->host().texts(), frame);
   };
 }
 

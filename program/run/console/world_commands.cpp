@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "program/run/console/world_commands.h"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
+#include <functional>
+#include <set>
+#include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/utf8.h"
 #include "engine/script/language/world_fields.h"
 #include "program/run/console/name_pattern.h"
+#include "workbench/run/application_values.h"
 
 namespace reorient {
 namespace {
@@ -27,32 +30,57 @@ std::string value_text(const WorldField& field, double value) {
   return field.unit.empty() ? number : fmt::format("{} {}", number, field.unit);
 }
 
-std::string value_text(const World& world, std::size_t field) {
+std::string value_text(const NamedScalar& scalar) {
+  if (const bool* const yes = std::get_if<bool>(&scalar.value)) return *yes ? "true" : "false";
+  if (const auto* const text = std::get_if<std::string>(&scalar.value)) return as_line(*text);
+  const double number = std::get<double>(scalar.value);
+  if (std::isinf(number)) return "never";
+  const double rounded = std::round(number * 1000.0) / 1000.0 + 0.0;  // and no "-0.000"
+  return fmt::format("{:.3f}{}{}", rounded, scalar.unit.empty() ? "" : " ", scalar.unit);
+}
+
+/// A value by its name.
+struct Described {
+  std::string value;  ///< with its unit
+  std::string_view description;
+};
+
+/// Calls `take(name, described)` for each value of the frame.
+void each_value(const FrameRecord& frame, const std::function<void(const std::string&, const Described&)>& take) {
   std::vector<double> values;
-  append_world(world, values);
-  return value_text(world_fields()[field], values[field]);
+  append_world(frame.world, values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const WorldField& field = world_fields()[i];
+    take(field.full_name(), {value_text(field, values[i]), field.description});
+  }
+  for (const NamedScalar& scalar : application_values(frame.application, frame.world.time))
+    take(scalar.name, {value_text(scalar), scalar.description});
 }
 
 }  // namespace
 
-std::string value_text(const World& world, std::string_view field) {
-  const std::span<const WorldField> fields = world_fields();
-  const auto named =
-      std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.full_name() == field; });
-  return named == fields.end() ? "not known" : value_text(world, static_cast<std::size_t>(named - fields.begin()));
+std::string value_text(const FrameRecord& frame, std::string_view name) {
+  std::string text = "not known";
+  each_value(frame, [&](const std::string& one, const Described& described) {
+    if (one == name) text = described.value;
+  });
+  return text;
 }
 
-WorldCommands::WorldCommands() {
+void WorldCommands::take_application(const ApplicationInterface& declared) {
+  names_.clear();
   for (const WorldField& field : world_fields()) names_.push_back(field.full_name());
+  for (const NamedScalar& scalar : application_values(declared)) names_.push_back(scalar.name);
 }
 
 Reply WorldCommands::look(const std::string& pattern) const {
-  return [fields = pick(pattern, names_, "world value")](const FrameRecord& frame, const SceneTruth&) {
+  std::set<std::string> wanted;
+  for (const std::size_t i : pick(pattern, names_, "world value")) wanted.insert(names_[i]);
+  return [wanted](const FrameRecord& frame, const SceneTruth&) {
     std::string text;
-    for (const std::size_t i : fields) {
-      const WorldField& field = world_fields()[i];
-      text += fmt::format("  {} = {}  ({})\n", field.full_name(), value_text(frame.world, i), field.description);
-    }
+    each_value(frame, [&](const std::string& name, const Described& described) {
+      if (wanted.contains(name)) text += fmt::format("  {} = {}  ({})\n", name, described.value, described.description);
+    });
     return text;
   };
 }
@@ -63,15 +91,15 @@ Reply WorldCommands::watch(const std::string& pattern) {
   const std::vector<std::size_t> fields =
       pattern.empty() ? std::vector<std::size_t>() : pick(pattern, names_, "world value");
   for (const std::size_t field : fields) {
-    std::erase_if(watched_, [&](const Watched& one) { return one.field == field; });
-    watched_.push_back({field, "", 0.0});
+    std::erase_if(watched_, [&](const Watched& one) { return one.name == names_[field]; });
+    watched_.push_back({names_[field], "", 0.0});
   }
   return [this](const FrameRecord& frame, const SceneTruth&) {
     std::string text;
     for (Watched& one : watched_) {
-      one.printed = value_text(frame.world, one.field);
+      one.printed = value_text(frame, one.name);
       one.printed_at = frame.world.time;
-      text += fmt::format("  {:.2f} s  {} = {}\n", one.printed_at, names_[one.field], one.printed);
+      text += fmt::format("  {:.2f} s  {} = {}\n", one.printed_at, one.name, one.printed);
     }
     return text;
   };
@@ -83,28 +111,29 @@ Reply WorldCommands::unwatch(const std::string& pattern) {
     watched_.clear();
   } else {
     for (const std::size_t i : pick(pattern, watched, "watched value"))
-      std::erase_if(watched_, [&](const Watched& one) { return names_[one.field] == watched[i]; });
+      std::erase_if(watched_, [&](const Watched& one) { return one.name == watched[i]; });
   }
   return at_once(
       fmt::format("  {} watched\n", watched_.empty() ? "no values" : counted(watched_.size(), "value") + " still"));
 }
 
-std::string WorldCommands::changes(const World& world) {
+std::string WorldCommands::changes(const FrameRecord& frame) {
+  const double time = frame.world.time;
   std::string text;
   for (Watched& one : watched_) {
-    if (world.time - one.printed_at + kTolerance < kPause) continue;
-    std::string now = value_text(world, one.field);
+    if (time - one.printed_at + kTolerance < kPause) continue;
+    std::string now = value_text(frame, one.name);
     if (now == one.printed) continue;
     one.printed = std::move(now);
-    one.printed_at = world.time;
-    text += fmt::format("  {:.2f} s  {} = {}\n", one.printed_at, names_[one.field], one.printed);
+    one.printed_at = time;
+    text += fmt::format("  {:.2f} s  {} = {}\n", one.printed_at, one.name, one.printed);
   }
   return text;
 }
 
 Words WorldCommands::watched() const {
   Words names;
-  for (const Watched& one : watched_) names.push_back(names_[one.field]);
+  for (const Watched& one : watched_) names.push_back(one.name);
   return names;
 }
 

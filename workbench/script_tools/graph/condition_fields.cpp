@@ -77,6 +77,14 @@ std::map<std::string, std::string> required_modules(Tokens tokens) {
   return modules;
 }
 
+/// "input.ball.x", which begins with the token at `i`.
+std::string dotted_name(Tokens tokens, std::size_t i) {
+  std::string name = tokens[i].text;
+  for (; i + 2 < tokens.size() && tokens[i + 1].is_symbol(".") && tokens[i + 2].kind == Kind::name; i += 2)
+    name.append(".").append(tokens[i + 2].text);
+  return name;
+}
+
 const std::set<std::string>& known_fields() {
   static const std::set<std::string> all = [] {
     std::set<std::string> names;
@@ -99,13 +107,17 @@ class ConditionFields::Reader {
       if (tokens[i].kind != Kind::name || (i > 0 && tokens[i - 1].is_symbol("."))) continue;
       const bool has_field = i + 2 < tokens.size() && tokens[i + 1].is_symbol(".");
       const std::string& first = tokens[i].text;
+      if (first == "input" || first == "action") {
+        add(dotted_name(tokens, i));
+        continue;
+      }
       const std::string name = has_field ? first + "." + tokens[i + 2].text : first;
       if (!seen_.insert({file, name}).second) continue;
       const auto module = has_field ? whole.modules.find(first) : whole.modules.end();
       if (module != whole.modules.end()) {
         read(module->second, module_function(fields_.read_file(module->second).tokens, tokens[i + 2].text));
       } else if (known_fields().contains(name)) {
-        if (std::find(found.begin(), found.end(), name) == found.end()) found.push_back(name);
+        add(name);
       } else if (has_field) {
         read_own_module(file, first, tokens[i + 2].text);
       } else {
@@ -117,6 +129,10 @@ class ConditionFields::Reader {
   std::vector<std::string> found;
 
  private:
+  void add(const std::string& name) {
+    if (std::find(found.begin(), found.end(), name) == found.end()) found.push_back(name);
+  }
+
   /// A function of a library that calls another one of the same library, as `module.name`.
   void read_own_module(const std::string& file, const std::string& table, const std::string& name) {
     if (!file.starts_with("lib/")) return;

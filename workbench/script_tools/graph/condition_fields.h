@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The world fields that the condition of a transition reads, by the text of its script.
+// The world fields and the values of an application that the condition of a transition reads, by the text of its
+// script.
 #pragma once
 
 #include <map>

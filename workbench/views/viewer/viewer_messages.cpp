@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/script/language/world_fields.h"
+#include "workbench/run/application_values.h"
 #include "workbench/run/log_lines.h"
 #include "workbench/run/timeline.h"
 #include "workbench/views/scene/camera_overlay.h"
@@ -24,7 +25,23 @@ using foxglove::Json;
 constexpr std::string_view kField = "field", kRobot = "robot", kTruth = "truth";
 constexpr std::array<std::string_view, 2> kCameras{"camera_upper", "camera_lower"};
 
-Json world_json(const World& world) {
+/// "input.ball.x" as the field x of the object ball of the object input.
+void add_application(const FrameRecord& frame, Json& json) {
+  for (const NamedScalar& scalar : application_values(frame.application, frame.world.time)) {
+    const double* const number = std::get_if<double>(&scalar.value);
+    if (number != nullptr && !std::isfinite(*number)) continue;
+    Json* place = &json;
+    std::size_t begin = 0;
+    for (std::size_t dot = scalar.name.find('.'); dot != std::string::npos; dot = scalar.name.find('.', begin)) {
+      place = &(*place)[scalar.name.substr(begin, dot - begin)];
+      begin = dot + 1;
+    }
+    std::visit([&](const auto& value) { (*place)[scalar.name.substr(begin)] = value; }, scalar.value);
+  }
+}
+
+Json world_json(const FrameRecord& frame) {
+  const World& world = frame.world;
   std::vector<double> values;
   append_world(world, values);
   Json json = Json::object();
@@ -42,6 +59,7 @@ Json world_json(const World& world) {
       value = values[i];
     }
   }
+  add_application(frame, json);
   return json;
 }
 
@@ -232,7 +250,7 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
     return scene::percept_scene(frame.percepts, has_fits ? std::span<const FeatureFits>(viewed.extra.feature_fits)
                                                          : std::span<const FeatureFits>());
   });
-  send(ViewerTopic::world, [&] { return world_json(frame.world); });
+  send(ViewerTopic::world, [&] { return world_json(frame); });
   send(ViewerTopic::machines, [&] { return machines_json(frame); });
   send(ViewerTopic::request, [&] { return request_json(frame); });
   if (is_wanted(ViewerTopic::events)) {

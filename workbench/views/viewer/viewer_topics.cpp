@@ -32,6 +32,8 @@ Json world_schema() {
     const auto found = tables.find(std::string(table.name));
     if (found != tables.end()) (*found)["description"] = table.description;
   }
+  tables["input"] = {{"type", "object"}, {"description", "values of the application; only if it declares some"}};
+  tables["action"] = {{"type", "object"}, {"description", "state of the application's actions"}};
   return {{"type", "object"}, {"properties", std::move(tables)}, {"title", "reorient.World"}};
 }
 
