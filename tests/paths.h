@@ -14,8 +14,9 @@ extern const char* const kGuard;    ///< reorient-nao-guard
 extern const char* const kLolaTwin;
 extern const char* const kRealTimeJob;  ///< nao_real_time_job
 extern const char* const kTestRobot;
-extern const char* const kCompanionClient;  ///< the example client in C
-extern const char* const kSyncShim;         ///< a library to preload
-extern const char* const kDecoder;          ///< the library that decodes images of footage; empty: it was not built
+extern const char* const kCompanionClient;     ///< the example client in C
+extern const char* const kApplicationExample;  ///< examples/application
+extern const char* const kSyncShim;            ///< a library to preload
+extern const char* const kDecoder;             ///< the library that decodes images of footage; empty: it was not built
 
 }  // namespace reorient

@@ -2,19 +2,23 @@
 """A client of Reorient's companion with only Python's standard library (3.9 or later), for robots with one camera. It
 corresponds to reorient_companion.h in C. Copy this file; docs/companion.md explains the numbers."""
 import cmath
+import collections
 import fcntl
+import json
 import math
 import mmap
 import os
 import socket
 import struct
 
-HELLO, MEMORY, FRAME, WELCOME, REFUSAL, ANSWER = 1, 2, 3, 101, 102, 103
+HELLO, MEMORY, FRAME, VALUES, REPORT, WELCOME, REFUSAL, ANSWER, ACTION = 1, 2, 3, 6, 7, 101, 102, 103, 106
 HAS_TIME, HAS_BODY, HAS_FOOT_LOAD, HAS_TOLD_POSE, OTHER_HALF = 1, 30, 32, 128, 512  # body: head, attitude, rates, acceleration
 ANSWER_POSE, ANSWER_HEAD, ANSWER_WALK, ANSWER_GET_UP = 1, 2, 4, 8
 FLIP, PURGE, RESET, YUYV, OWN, OURS = 1, 2, 3, 1, 1, 2
 SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 2, 1 + 2 + 4  # wants: head, walk, get up
 TOLD_FRAMES = 60
+REPORTS = {"running": 1, "done": 2, "failed": 3}
+Action = collections.namedtuple("Action", "id name arguments")  # arguments: by name
 LENS_OF_CAMERA, LENS_PINHOLE, LENS_FISHEYE, LENS_EQUIRECTANGULAR = 0, 1, 2, 3
 
 
@@ -28,9 +32,10 @@ def lens(model, coefficients):
 class Companion:
     """The connection. It reconnects after a failure, and no call blocks. `camera`: focal length, center, distortion, position
     and tilt of the camera, 10 numbers; `body`: name of a shipped robot body, as bytes; `lenses`: result of lens() if the
-    camera is not a pinhole with two radial coefficients."""
+    camera is not a pinhole with two radial coefficients; `interface`: name and text of an interface file, if your program has
+    values and actions of its own."""
 
-    def __init__(self, path, way, body, width, height, camera, lenses=b""):
+    def __init__(self, path, way, body, width, height, camera, lenses=b"", interface=None):
         self.path, self.socket, self.broken = path, None, False
         self.number = self.told = self.sequence = self.slot = 0
         self.server, self.done = 0, (0, 0)  # id of the server; server and number of the last command
@@ -46,6 +51,11 @@ class Companion:
         self.hello = (os.urandom(8) + struct.pack("<IId", way, WANTS, 0.0) +
                       struct.pack("<HHI10d", width, height, YUYV, *camera) + bytes(88) +
                       struct.pack("<32s136x", body) + bytes(160) + lenses)
+        self.last_action = 0
+        if interface:
+            name, text = (part.encode() for part in interface)
+            self.hello += b"" if lenses else bytes(144)
+            self.hello += struct.pack("<32sII", name, len(text), 0) + text
 
     def connect(self):
         if self.socket and not self.broken:
@@ -109,6 +119,31 @@ class Companion:
         if self.kept_frames == 0 and self.kept_server:
             self.kept, self.kept_server = None, 0
 
+    def post(self, kind, body):
+        """Return True if the message was sent."""
+        ready = self.connect() and self.flush()
+        if ready:
+            self.rest_out = struct.pack("<IHH", len(body), kind, VERSION) + body
+            self.flush()
+        return ready and not self.broken
+
+    def values(self, values):
+        """Send values of the application before the frame that they belong to. A server that starts without knowledge needs all
+        of them again."""
+        return self.post(VALUES, json.dumps(values).encode())
+
+    def report(self, action, state, reason=""):
+        """Report that an action (its id) is "running", "done" or "failed"."""
+        return self.post(REPORT, struct.pack("<II120s", action, REPORTS[state], reason.encode()[:119]))
+
+    def new_action(self, body):
+        """Return the action of a message ACTION to begin now, or None: each one is returned once."""
+        number, name, arguments = struct.unpack("<I4x64s1976s", body)
+        if number <= self.last_action:
+            return None
+        self.last_action = number
+        return Action(number, name.split(b"\0")[0].decode(), json.loads(arguments.split(b"\0")[0]))
+
     def flush(self):
         try:
             while self.rest_out:
@@ -137,6 +172,8 @@ class Companion:
                 first = struct.unpack_from("<Q", body)[0] if len(body) >= 8 else 0
                 if kind == WELCOME:
                     self.server = first
+                    if not struct.unpack_from("<I", body, 8)[0]:
+                        self.last_action = 0  # the server starts without knowledge, and counts from 1
                     if self.kept_server and self.kept_server != self.server:
                         # The new server may not know the initial pose that the previous server got.
                         self.kept_frames, self.kept_server, self.told_sent = 0, 0, False

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robots/camera_pairing.h"
+#include "robots/companion/application_json.h"
 
 namespace reorient {
 namespace {
@@ -89,6 +90,7 @@ void Companion::begin(const Handshake& handshake, bool continues, int behaviors)
   behaviors_ = behaviors;
   states_.clear();
   command_.withdraw();  // it was requested by another engine
+  actions_.clear();
   if (!continues) pending_.begin_axes();
   welcome_client();
 }
@@ -100,6 +102,7 @@ void Companion::welcome_client() {
   if (has_other_robot_ || welcomed_) return;
   welcomed_ = connection_.send(REORIENT_WELCOME, reorient_welcome{options_.server, continues_ ? 1u : 0u,
                                                                   static_cast<std::uint32_t>(behaviors_)});
+  actions_.begin_connection();
   continues_ = true;  // the next client connects to an engine that has a state
   reported_refusal_.clear();
 }
@@ -156,8 +159,12 @@ void Companion::receive(std::uint16_t kind, std::span<const std::byte> body, Own
       return take_sample(body);
     case REORIENT_GAME:
       return take_game(body);
+    case REORIENT_VALUES:
+      return take_values(body);
+    case REORIENT_REPORT:
+      return take_report(body);
     default:
-      throw BadMessage("unknown message type " + std::to_string(kind) + " (expected 1 to 5)");
+      throw BadMessage("unknown message type " + std::to_string(kind) + " (expected 1 to 7)");
   }
 }
 
@@ -222,6 +229,26 @@ void Companion::take_sample(std::span<const std::byte> body) {
   if (!is_valid(sample)) return;
   if (samples_.size() >= kMostSamples) samples_.erase(samples_.begin());
   samples_.push_back(sample);
+}
+
+void Companion::take_values(std::span<const std::byte> body) {
+  if (body.size() > REORIENT_LONGEST_VALUES)
+    throw BadMessage("values: expected at most 32768 bytes, found " + std::to_string(body.size()));
+  std::string json(body.size(), '\0');
+  if (!body.empty()) std::memcpy(json.data(), body.data(), body.size());
+  pending_.add(read_values(json, handshake_->application));
+}
+
+void Companion::take_report(std::span<const std::byte> body) {
+  const auto report = take_message<reorient_report>(body, "report");
+  if (!body.empty())
+    throw BadMessage("report: " + std::to_string(body.size()) + " bytes too many (expected " +
+                     std::to_string(sizeof(report)) + ")");
+  constexpr ActionState kStates[] = {ActionState::running, ActionState::done, ActionState::failed};
+  if (report.state < REORIENT_ACTION_RUNNING || report.state > REORIENT_ACTION_FAILED)
+    throw BadMessage("report: state is " + std::to_string(report.state) + " (expected 1 running, 2 done or 3 failed)");
+  actions_.acknowledge(report.id);
+  pending_.add(ActionReport{report.id, kStates[report.state - REORIENT_ACTION_RUNNING], text_of(report.reason)});
 }
 
 void Companion::take_game(std::span<const std::byte> body) {
@@ -378,6 +405,11 @@ void Companion::answer(const Answer& answer) {
   message.superseded = counts_.superseded;
   message.unusable = counts_.unusable;
   if (handshake_ && !connection_.send(REORIENT_ANSWER, message)) ++counts_.unanswered;
+  for (const StartedAction& started : answer.actions) {
+    const DeclaredAction& declared = engine_for_->application.actions.at(started.action);
+    if (const std::string problem = actions_.add(started, declared, options_.now()); !problem.empty())
+      tell_note(NoteKind::fault, problem);
+  }
   if (welcomed_) {
     for (const std::string& word : answer.messages) keep_note(words_, REORIENT_NOTE_MESSAGE, word);
   }
@@ -399,6 +431,8 @@ void Companion::tell_note(NoteKind kind, std::string_view text) {
 
 void Companion::send_waiting() {
   if (!welcomed_) return;
+  actions_.send(options_.now(),
+                [&](const reorient_action& action) { return connection_.send(REORIENT_ACTION, action); });
   for (auto& [behavior, state] : states_) {
     if (state.second) continue;
     reorient_state message{};

@@ -19,6 +19,7 @@
 #include "robots/companion/connection.h"
 #include "robots/companion/frame_message.h"
 #include "robots/companion/handshake.h"
+#include "robots/companion/pending_actions.h"
 #include "robots/companion/pending_external_inputs.h"
 #include "robots/companion/shared_images.h"
 #include "robots/game_controller.h"
@@ -101,6 +102,8 @@ class Companion : public Robot, private Receiver {
   void take_frame(std::span<const std::byte> body);
   void take_game(std::span<const std::byte> body);
   void take_sample(std::span<const std::byte> body);
+  void take_values(std::span<const std::byte> body);
+  void take_report(std::span<const std::byte> body);
   bool use_newest(Observation& observation);
   BodySample with_load(BodySample sample, std::uint32_t has) const;
   void take_samples(double time, bool has_time);
@@ -117,6 +120,7 @@ class Companion : public Robot, private Receiver {
 
   GameController game_;
   PendingExternalInputs pending_;
+  PendingActions actions_;
 
   std::optional<Handshake> handshake_;   ///< of the connected client
   std::optional<Handshake> engine_for_;  ///< empty until an engine exists

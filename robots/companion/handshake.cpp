@@ -145,6 +145,25 @@ FieldDimensions field_of(const reorient_field& sent, const RobotBody& body, cons
   return field;
 }
 
+/// The block after the lenses, with its text.
+ApplicationInterface interface_of(std::span<const std::byte> bytes, const KnownRobots& known) {
+  const auto sent = take_message<reorient_interface>(bytes, "hello: interface");
+  if (sent.size == 0 || sent.size > REORIENT_LONGEST_INTERFACE)
+    throw BadMessage("hello: interface: expected a text of 1 to 32768 bytes, found " + std::to_string(sent.size));
+  if (bytes.size() != sent.size)
+    throw BadMessage("hello: interface: expected " + std::to_string(sent.size) + " bytes of text, found " +
+                     std::to_string(bytes.size()));
+  if (!known.interface) throw BadMessage("hello: interface: not supported here");
+  std::string text(sent.size, '\0');
+  std::memcpy(text.data(), bytes.data(), text.size());
+  const std::string name = text_of(sent.name);
+  try {
+    return known.interface(text, name.empty() ? "interface" : name);
+  } catch (const std::runtime_error& mistake) {
+    throw BadMessage("hello: interface: " + std::string(mistake.what()));
+  }
+}
+
 }  // namespace
 
 Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& known) {
@@ -153,8 +172,8 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
   if (!bytes.empty()) {
     for (std::optional<reorient_lens>& lens : lenses) lens = take_message<reorient_lens>(bytes, "hello: lens");
   }
-  if (!bytes.empty())
-    throw BadMessage("hello: " + std::to_string(bytes.size()) + " bytes too many (expected 528, or 672 with lenses)");
+  Handshake handshake;
+  handshake.application = bytes.empty() ? known.default_interface : interface_of(bytes, known);
   if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
     throw BadMessage("hello: way is " + std::to_string(hello.way) +
                      " (expected 1, your localization, or 2, Reorient's)");
@@ -164,7 +183,6 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
   check_choice(hello.body.pitch_first, 1, "hello: body.pitch_first");
   if (hello.client == 0)
     throw BadMessage("hello: client is 0 (expected a random number, drawn when your process starts)");
-  Handshake handshake;
   handshake.client = hello.client;
   handshake.own_localization = hello.way == REORIENT_OWN_LOCALIZATION;
   handshake.delay = checked(hello.delay, 0.0, 2.0, "delay");
@@ -218,7 +236,7 @@ std::vector<std::byte> identity_of(const Handshake& handshake) {
   std::vector<std::byte> bytes;
   ByteWriter out(bytes);
   out(handshake.own_localization, handshake.carries_out_head, handshake.carries_out_walk, handshake.carries_out_get_up,
-      body, handshake.field);
+      body, handshake.field, handshake.application);
   return bytes;
 }
 

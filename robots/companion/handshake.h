@@ -8,10 +8,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/camera.h"
 #include "geometry/field_dimensions.h"
+#include "robots/application.h"
 #include "robots/companion/message.h"
 #include "robots/robot_body.h"
 
@@ -21,6 +23,9 @@ namespace reorient {
 struct KnownRobots {
   std::function<std::optional<RobotBody>(const std::string& name)> body;
   std::function<std::optional<FieldDimensions>(const std::string& name)> field;
+  /// Reads the text of an interface file. Throws std::runtime_error with one line. May be empty: none can be read.
+  std::function<ApplicationInterface(std::string_view text, const std::string& name)> interface {};
+  ApplicationInterface default_interface{};  ///< of a client that declares none
 };
 
 struct Handshake {
@@ -34,6 +39,7 @@ struct Handshake {
   FieldDimensions field;
   std::array<std::optional<reorient_camera>, 2> cameras;  ///< upper and lower camera
   std::array<Lens, 2> lenses;                             ///< lens of each camera
+  ApplicationInterface application;
 };
 
 /// Throws BadMessage.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "robots/companion/pending_external_inputs.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace reorient {
 
 void PendingExternalInputs::begin_client(std::uint64_t client) {
-  if (std::exchange(client_, client) != client) external_.initial_pose.reset();
+  if (std::exchange(client_, client) == client) return;
+  external_.initial_pose.reset();
+  external_.values.clear();
+  external_.reports.clear();
 }
 
 bool PendingExternalInputs::add(const FrameMessage& message) {
@@ -31,6 +35,22 @@ void PendingExternalInputs::add(const ExternalInputs& game) {
   if (!game.half_time) return;
   external_.half_time = !external_.half_time;
   if (external_.initial_pose) external_.initial_pose->pose = reflect(external_.initial_pose->pose);
+}
+
+void PendingExternalInputs::add(std::vector<SetValue> values) {
+  for (SetValue& value : values) {
+    const auto known = std::find_if(external_.values.begin(), external_.values.end(),
+                                    [&](const SetValue& other) { return other.value == value.value; });
+    if (known != external_.values.end()) {
+      *known = std::move(value);
+    } else {
+      external_.values.push_back(std::move(value));
+    }
+  }
+}
+
+void PendingExternalInputs::add(ActionReport report) {
+  if (external_.reports.size() < kMostReports) external_.reports.push_back(std::move(report));
 }
 
 ExternalInputs PendingExternalInputs::take(const FrameMessage& message) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "geometry/pose2.h"
 #include "robots/companion/frame_message.h"
@@ -23,6 +24,10 @@ class PendingExternalInputs {
   bool add(const FrameMessage& message);
   /// Adds the inputs from a datagram of the GameController.
   void add(const ExternalInputs& game);
+
+  /// Adds values of the application. The latest of each counts.
+  void add(std::vector<SetValue> values);
+  void add(ActionReport report);
 
   /// Returns the inputs for the frame that is used. Corrects an initial pose for the motion since it was set and for a
   /// change of the axes at half-time. Each frame contains its half, so that half-time is never lost.

@@ -22,17 +22,19 @@ enum {
   REORIENT_LONGEST_BODY = 1 << 16, /* bytes of a message after its header */
   REORIENT_MOST_PARTICLES = 2000,
   REORIENT_MOST_MESSAGES = 8,
-  REORIENT_SLOTS = 3,               /* images of one camera in shared memory */
-  REORIENT_SLOT_HEADER = 64,        /* bytes before the pixels of each slot */
-  REORIENT_LARGEST_IMAGE = 1 << 24, /* bytes */
-  REORIENT_LONGEST_TEXT = 240,      /* bytes of a message between robots */
-  REORIENT_LONGEST_DATAGRAM = 256   /* bytes of a datagram of the GameController */
+  REORIENT_SLOTS = 3,                 /* images of one camera in shared memory */
+  REORIENT_SLOT_HEADER = 64,          /* bytes before the pixels of each slot */
+  REORIENT_LARGEST_IMAGE = 1 << 24,   /* bytes */
+  REORIENT_LONGEST_TEXT = 240,        /* bytes of a message between robots */
+  REORIENT_LONGEST_DATAGRAM = 256,    /* bytes of a datagram of the GameController */
+  REORIENT_LONGEST_INTERFACE = 32768, /* bytes of the declarations of an application */
+  REORIENT_LONGEST_VALUES = 32768     /* bytes of the values of an application in one message */
 };
 
 /* Precedes each message. */
 struct reorient_header {
   uint32_t size;    /* bytes of the message after this header */
-  uint16_t kind;    /* type of the message, REORIENT_HELLO ... REORIENT_NOTE */
+  uint16_t kind;    /* type of the message, REORIENT_HELLO ... REORIENT_ACTION */
   uint16_t version; /* REORIENT_VERSION_2: 2 */
 };
 
@@ -43,12 +45,15 @@ enum {
   REORIENT_FRAME = 3,
   REORIENT_SAMPLE = 4,
   REORIENT_GAME = 5,
+  REORIENT_VALUES = 6,
+  REORIENT_REPORT = 7,
   /* to the client */
   REORIENT_WELCOME = 101,
   REORIENT_REFUSAL = 102,
   REORIENT_ANSWER = 103,
   REORIENT_STATE = 104,
-  REORIENT_NOTE = 105
+  REORIENT_NOTE = 105,
+  REORIENT_ACTION = 106
 };
 
 /* ---- hello: once, first ---- */
@@ -138,6 +143,15 @@ struct reorient_lens {
   uint32_t model;         /* REORIENT_LENS_... */
   uint32_t count;         /* number of coefficients: pinhole 0, 2, 4, 5 or 8; fisheye 0 or 4; equirectangular 0 */
   double coefficients[8]; /* in OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6; fisheye: k1, k2, k3, k4 */
+};
+
+/* Optional: directly after both lenses, in the same message: values and actions of your application that behaviors use.
+ * The text of an interface file (docs/applications.md) follows, `size` bytes. A server older than this block refuses
+ * such a hello. Without it, a server that was started with --interface uses that one. */
+struct reorient_interface {
+  char name[32]; /* zero-terminated */
+  uint32_t size; /* bytes of the text, 1 to REORIENT_LONGEST_INTERFACE */
+  uint32_t zero; /* unused, 0 */
 };
 
 /* ---- memory: once for each camera, with a file descriptor of a memfd (SCM_RIGHTS) that has F_SEAL_SHRINK ---- */
@@ -231,6 +245,18 @@ struct reorient_game {
   uint8_t datagram[REORIENT_LONGEST_DATAGRAM]; /* RGme, version 18, 19 or 20; others are ignored */
 };
 
+/* ---- values: a JSON object, whole message, as {"ball": {"x": 1.0, "seen": true}}; used with the next frame ---- */
+
+/* ---- report: how an action of the application goes on ---- */
+
+enum { REORIENT_ACTION_RUNNING = 1, REORIENT_ACTION_DONE = 2, REORIENT_ACTION_FAILED = 3 };
+
+struct reorient_report {
+  uint32_t id;      /* of the action */
+  uint32_t state;   /* REORIENT_ACTION_... */
+  char reason[120]; /* of a failure, zero-terminated */
+};
+
 /* ---- to the client ---- */
 
 struct reorient_welcome {
@@ -289,6 +315,15 @@ struct reorient_note {
   char text[252]; /* zero-terminated */
 };
 
+/* An action of the application to begin. It is sent again after each connection until a report about it arrives, so
+ * ignore an id that is not greater than the last one; reorient_is_new_action() does. */
+struct reorient_action {
+  uint32_t id;          /* counts from 1; starts again if `continues` of the welcome is 0 */
+  uint32_t zero;        /* unused, 0 */
+  char name[64];        /* of the action, zero-terminated */
+  char arguments[1976]; /* JSON object, zero-terminated */
+};
+
 /* Static assertion for C99: fails to compile if the compiler adds padding. */
 #define REORIENT_SIZE(type, size) typedef char reorient_size_of_##type[sizeof(struct type) == (size) ? 1 : -1]
 REORIENT_SIZE(reorient_header, 8);
@@ -297,6 +332,7 @@ REORIENT_SIZE(reorient_body, 168);
 REORIENT_SIZE(reorient_field, 160);
 REORIENT_SIZE(reorient_hello, 528);
 REORIENT_SIZE(reorient_lens, 72);
+REORIENT_SIZE(reorient_interface, 40);
 REORIENT_SIZE(reorient_memory, 8);
 REORIENT_SIZE(reorient_image, 120);
 REORIENT_SIZE(reorient_frame, 512);
@@ -304,11 +340,13 @@ REORIENT_SIZE(reorient_particle, 16);
 REORIENT_SIZE(reorient_message, 248);
 REORIENT_SIZE(reorient_sample, 104);
 REORIENT_SIZE(reorient_game, 272);
+REORIENT_SIZE(reorient_report, 128);
 REORIENT_SIZE(reorient_welcome, 16);
 REORIENT_SIZE(reorient_refusal, 256);
 REORIENT_SIZE(reorient_answer, 208);
 REORIENT_SIZE(reorient_state, 256);
 REORIENT_SIZE(reorient_note, 256);
+REORIENT_SIZE(reorient_action, 2048);
 
 /* Bytes of an image of this camera; 0: unknown format. */
 static inline size_t reorient_image_bytes(const struct reorient_camera* camera) {
@@ -346,6 +384,9 @@ enum { REORIENT_TOLD_FRAMES = 60 };
 struct reorient_client {
   struct reorient_hello hello;
   struct reorient_lens lenses[2]; /* sent if one has a model: set them between open and the first frame */
+  const char* interface_text; /* sent if not NULL: the text of an interface file; set it and the name as the lenses */
+  const char* interface_name;
+  uint32_t last_action; /* id of the last action that reorient_is_new_action() accepted */
   struct sockaddr_un address;
   int socket;    /* -1: not connected; use poll() to wait for messages */
   int broken;    /* sending failed; received messages, perhaps a refusal, can still be read */
@@ -372,7 +413,7 @@ struct reorient_client {
   double told_odometry[3]; /* odometry of the last frame */
   size_t out_size, out_sent, in_size;
   unsigned char out[sizeof(struct reorient_header) + REORIENT_LONGEST_BODY];
-  unsigned char in[sizeof(struct reorient_header) + 512];
+  unsigned char in[sizeof(struct reorient_header) + sizeof(struct reorient_action)];
 };
 
 union reorient_event {
@@ -381,6 +422,7 @@ union reorient_event {
   struct reorient_answer answer;
   struct reorient_state state;
   struct reorient_note note;
+  struct reorient_action action;
 };
 
 static inline void reorient_disconnect(struct reorient_client* client) {
@@ -514,7 +556,8 @@ static inline int reorient_is_trusted(int server) {
 /* Returns 1 if a connection exists or was made. A broken connection is closed at the second failure, so that
  * reorient_receive() can read the remaining messages before. */
 static inline int reorient_connect(struct reorient_client* client) {
-  size_t lenses; /* bytes */
+  struct reorient_interface interface;
+  size_t lenses, text; /* bytes */
   if (client->socket >= 0 && !client->broken) return 1;
   reorient_disconnect(client);
   client->socket = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -525,10 +568,19 @@ static inline int reorient_connect(struct reorient_client* client) {
     return 0;
   }
   client->first_number = client->number;
-  lenses = client->lenses[0].model != 0 || client->lenses[1].model != 0 ? sizeof client->lenses : 0;
-  reorient_begin(client, REORIENT_HELLO, sizeof client->hello + lenses);
+  text = client->interface_text != NULL ? strlen(client->interface_text) : 0;
+  if (text > REORIENT_LONGEST_INTERFACE) text = REORIENT_LONGEST_INTERFACE;
+  lenses = text > 0 || client->lenses[0].model != 0 || client->lenses[1].model != 0 ? sizeof client->lenses : 0;
+  reorient_begin(client, REORIENT_HELLO, sizeof client->hello + lenses + (text > 0 ? sizeof interface + text : 0));
   reorient_append(client, &client->hello, sizeof client->hello);
   reorient_append(client, client->lenses, lenses);
+  if (text > 0) {
+    memset(&interface, 0, sizeof interface);
+    if (client->interface_name != NULL) strncpy(interface.name, client->interface_name, sizeof interface.name - 1);
+    interface.size = (uint32_t)text;
+    reorient_append(client, &interface, sizeof interface);
+    reorient_append(client, client->interface_text, text);
+  }
   if (reorient_flush(client) && reorient_send_memory(client, 0) && reorient_send_memory(client, 1)) return 1;
   reorient_break(client);
   return 0;
@@ -644,6 +696,39 @@ static inline int reorient_send_game(struct reorient_client* client, const struc
   return !client->broken;
 }
 
+/* Values of the application, a JSON object. Send them before the frame that they belong to. Returns 1 if they are sent.
+ * A server that starts without knowledge (`continues` of the welcome is 0) needs all of them again. */
+static inline int reorient_send_values(struct reorient_client* client, const char* json) {
+  const size_t size = strlen(json);
+  if (size > REORIENT_LONGEST_VALUES || !reorient_connect(client) || !reorient_flush(client)) return 0;
+  reorient_begin(client, REORIENT_VALUES, size);
+  reorient_append(client, json, size);
+  reorient_flush(client);
+  return !client->broken;
+}
+
+/* `state`: REORIENT_ACTION_... `reason` may be NULL. */
+static inline int reorient_send_report(struct reorient_client* client, uint32_t id, uint32_t state,
+                                       const char* reason) {
+  struct reorient_report report;
+  if (client->socket < 0 || client->broken || !reorient_flush(client)) return 0;
+  memset(&report, 0, sizeof report);
+  report.id = id;
+  report.state = state;
+  if (reason != NULL) strncpy(report.reason, reason, sizeof report.reason - 1);
+  reorient_begin(client, REORIENT_REPORT, sizeof report);
+  reorient_append(client, &report, sizeof report);
+  reorient_flush(client);
+  return !client->broken;
+}
+
+/* Returns 1 once for each action. */
+static inline int reorient_is_new_action(struct reorient_client* client, const struct reorient_action* action) {
+  if (action->id <= client->last_action) return 0;
+  client->last_action = action->id;
+  return 1;
+}
+
 static inline size_t reorient_size_of(uint16_t kind) {
   switch (kind) {
     case REORIENT_WELCOME:
@@ -656,6 +741,8 @@ static inline size_t reorient_size_of(uint16_t kind) {
       return sizeof(struct reorient_state);
     case REORIENT_NOTE:
       return sizeof(struct reorient_note);
+    case REORIENT_ACTION:
+      return sizeof(struct reorient_action);
     default:
       return 0;
   }
@@ -678,6 +765,7 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
       client->in_size = 0;
       if (header.kind == REORIENT_WELCOME) {
         client->server = event->welcome.server;
+        if (event->welcome.continues == 0) client->last_action = 0;
         if (client->told_frames > 0 && client->told_server != client->server)
           client->told_frames = client->told_is_sent = 0;
       }
@@ -693,6 +781,10 @@ static inline int reorient_receive(struct reorient_client* client, union reorien
       if (header.kind == REORIENT_STATE) {
         event->state.behavior[sizeof event->state.behavior - 1] = 0;
         event->state.state[sizeof event->state.state - 1] = 0;
+      }
+      if (header.kind == REORIENT_ACTION) {
+        event->action.name[sizeof event->action.name - 1] = 0;
+        event->action.arguments[sizeof event->action.arguments - 1] = 0;
       }
       if (header.kind == REORIENT_NOTE) event->note.text[sizeof event->note.text - 1] = 0;
       return header.kind;

@@ -2,6 +2,7 @@
 // Arbitrary bytes from a client of the companion: before or after its hello, or as changes of the messages of a whole
 // session. With any bytes, the companion continues, and its output is usable.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,16 +12,47 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
+#include "engine/world/application_state.h"
 #include "robots/companion/companion.h"
 #include "tests/fuzz/promises.h"
 #include "tests/robots/companion/raw_client.h"
 
 namespace reorient {
 namespace {
+
+/// A value of each way to be read, and an action.
+ApplicationInterface fuzzed_interface() {
+  const auto field = [](const char* name, FieldType type, FieldData initial) {
+    DeclaredField field;
+    field.name = name;
+    field.type = type;
+    field.initial = std::move(initial);
+    return field;
+  };
+  ApplicationInterface declared;
+  declared.name = "fuzzed";
+  declared.values = {
+      {"a.x", "", {field("", FieldType::number, {{0.0}, {}})}},
+      {"a.t", "", {field("", FieldType::text, {{}, {""}})}},
+      {"p", "", {field("", FieldType::pose, {{0.0, 0.0, 0.0}, {}})}},
+      {"l", "", {field("i", FieldType::integer, {{0.0}, {}}), field("b", FieldType::boolean, {{0.0}, {}})}, 3}};
+  declared.actions = {
+      {"k", "", {field("d", FieldType::number, {{0.0}, {}}), field("f", FieldType::text, {{}, {""}})}, 20.0, true}};
+  return declared;
+}
+
+KnownRobots known_interface() {
+  KnownRobots known = no_known_robots();
+  known.default_interface = fuzzed_interface();
+  known.interface = [](std::string_view, const std::string&) { return fuzzed_interface(); };
+  return known;
+}
 
 class Served {
  public:
@@ -41,7 +73,7 @@ class Served {
     if (is_session) play(client, bytes.subspan(1));
     for (int i = 0; i < 3; ++i) look();
     for (const RawClient::Heard& heard : client.hear())
-      require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_NOTE,
+      require(heard.kind >= REORIENT_WELCOME && heard.kind <= REORIENT_ACTION,
               "the type of a message is one of the protocol");
     client.end();
     look();
@@ -55,7 +87,7 @@ class Served {
     constexpr std::size_t kHeader = 4;
     while (bytes.size() >= kHeader) {
       const auto at = [&bytes](std::size_t i) { return std::to_integer<std::size_t>(bytes[i]); };
-      const std::size_t what = at(0) % 6, offset = at(1) | at(2) << 8,
+      const std::size_t what = at(0) % 8, offset = at(1) | at(2) << 8,
                         size = std::min(at(3) % 32, bytes.size() - kHeader);
       const std::span<const std::byte> changes = bytes.subspan(kHeader, size);
       const auto changed = [&](auto message) {
@@ -80,6 +112,14 @@ class Served {
         client.send(REORIENT_GAME, changed(game));
       } else if (what == 4) {
         client.send(REORIENT_MEMORY, changed(reorient_memory{0, client.slot_size()}), client.memory());
+      } else if (what == 6) {
+        std::array<char, 96> json{};
+        std::string_view(R"({"a":{"x":1.5,"t":"hi"},"p":{"x":1,"y":2,"rotation":3},"l":[{"i":2,"b":true},{}]})")
+            .copy(json.data(), json.size());
+        std::memset(json.data() + 88, ' ', 8);
+        client.send(REORIENT_VALUES, changed(json));
+      } else if (what == 7) {
+        client.send(REORIENT_REPORT, changed(reorient_report{1, REORIENT_ACTION_DONE, "why"}));
       } else {
         decided_ = static_cast<Reorientation>(offset % enum_count(Reorientation{}));
       }
@@ -105,11 +145,21 @@ class Served {
     require(!seen.external.initial_pose || seen.external.initial_pose->pose.position.allFinite(),
             "an initial pose is finite");
     require(seen.external.messages.size() <= kMostMessages, "messages are bounded");
+    require(seen.external.values.size() <= kMostValues && seen.external.reports.size() <= kMostReports,
+            "values and reports are bounded");
+    for (const SetValue& value : seen.external.values) require(value.value < 4, "a value is one of the interface");
+    std::vector<std::string> mistakes;
+    application_.begin_frame(seen.time);
+    application_.take(seen.external.values, seen.time, mistakes);
+    application_.take(seen.external.reports, seen.time);
+    const ActionRequest request{0, {{0.5}, {"left"}}, {}, 0.0};
+    application_.start({&request, 1}, seen.time);
     require(!seen.upper || seen.upper->robot_from_camera.matrix().allFinite(), "the camera's pose is finite");
     require(!seen.external.referee || static_cast<int>(seen.external.referee->state) < enum_count(GameState{}),
             "the state of the game is known");
     Answer answer;
     answer.reorientation = std::exchange(decided_, std::nullopt);
+    answer.actions.assign(application_.started().begin(), application_.started().end());
     companion_.answer(answer);
   }
 
@@ -118,7 +168,8 @@ class Served {
   double last_time_ = -1.0;
   std::uint64_t number_ = 0;
   std::optional<Reorientation> decided_;
-  Companion companion_{{path(), no_known_robots(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};
+  ApplicationState application_{fuzzed_interface()};
+  Companion companion_{{path(), known_interface(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};
 };
 
 }  // namespace

@@ -32,6 +32,7 @@
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
+#include "workbench/files/interface_file.h"
 
 namespace reorient {
 namespace {
@@ -42,7 +43,7 @@ std::uint64_t random_number() {
 }
 
 /// The robots and fields that this program has files of. A client with another robot or field sends its dimensions.
-KnownRobots known_robots() {
+KnownRobots known_robots(const RunOptions& options) {
   const auto named = [](const std::string& name, auto load) -> decltype(std::optional(load(name))) {
     try {
       if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") != std::string::npos)
@@ -57,7 +58,8 @@ KnownRobots known_robots() {
           },
           [named](const std::string& name) {
             return named(name, [](const std::string& one) { return load_field(field_file(one)); });
-          }};
+          },
+          parse_interface, interface_named(options.interface)};
 }
 
 /// The program's version and a digest of everything else that must be equal when a process continues from a saved
@@ -119,14 +121,18 @@ class CompanionReport : public Observer {
 
 /// The engine's setup for a client. Throws std::runtime_error with one line.
 FrameSetup setup_for(const Handshake& handshake, const RunOptions& options, const ScriptTexts& scripts) {
-  return engine_setup(
+  FrameSetup setup = engine_setup(
       options, scripts, handshake.body, handshake.field,
       {.head = handshake.carries_out_head, .walk = handshake.carries_out_walk, .get_up = handshake.carries_out_get_up});
+  setup.application = handshake.application;
+  return setup;
 }
 
 /// Reports errors of options and scripts at the start and not to the first client.
 void try_out(const RunOptions& options, const ScriptTexts& scripts) {
   Handshake any_client;
+  any_client.application =
+      options.interface.empty() ? merged(known_interfaces(options.scripts)) : interface_named(options.interface);
   any_client.carries_out_head = any_client.carries_out_walk = any_client.carries_out_get_up = true;
   const FrameLoop engine(setup_for(any_client, options, scripts));
 }
@@ -172,7 +178,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     print_error(err, printable(line));
   };
   Companion companion({.socket = socket,
-                       .known = known_robots(),
+                       .known = known_robots(options),
                        .server = random_number(),
                        .now = monotonic_clock,
                        .is_over = is_over,

@@ -106,13 +106,19 @@ OwnedDescriptor memory_of(std::size_t bytes, bool sealed) {
 }
 
 void RawClient::introduce(const reorient_hello& hello) {
+  std::vector<std::byte> bytes;
+  append_message(REORIENT_HELLO, hello, bytes);
+  introduce(bytes);
+}
+
+void RawClient::introduce(std::span<const std::byte> hello) {
   slot_size_ = REORIENT_SLOT_HEADER + 64 * 64;
   const std::size_t bytes = std::size_t{REORIENT_SLOTS} * slot_size_;
   memory_ = memory_of(bytes, true);
   void* const base = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory_.get(), 0);
   if (base == MAP_FAILED) throw std::runtime_error("mmap failed");
   slots_ = {static_cast<std::byte*>(base), [bytes](std::byte* slots) { munmap(slots, bytes); }};
-  send(REORIENT_HELLO, hello);
+  send_bytes(hello);
   send(REORIENT_MEMORY, reorient_memory{0, slot_size_}, memory_.get());
 }
 

@@ -40,6 +40,8 @@ class RawClient {
   }
   /// Sends the hello and the shared memory.
   void introduce(const reorient_hello& hello);
+  /// The same with the whole message of the hello.
+  void introduce(std::span<const std::byte> hello);
   /// Writes an image of one gray to the next slot and returns its sequence number.
   std::uint64_t paint(std::uint8_t gray);
   bool send_frame(double time, std::uint64_t number);
