@@ -2,23 +2,29 @@
 // The plots of the timeline: evidence and confidences. All tracks of the timeline share the gutter on the left.
 import uPlot from "uplot";
 
+import { LINEAR, endOf, markText, marksOf, ticksOf } from "./evidence_scale.js";
 import { themeColor } from "./palette.js";
 
 export const GUTTER = 104; // pixels
 export const RIGHT = 10;
 const MOST_POINTS = 1500;
+const GAP = 1; // s without a frame, over which no line is drawn
 const FONT = "11px system-ui, sans-serif";
-const EVIDENCE_MARKS = [-1000, -100, -10, 0, 10, 100, 1000];
+const APART = 13; // pixels between two labels of the evidence
+const TITLE_LINE = 13; // pixels
 
-/// A title in the gutter, as those of the other tracks.
-function drawTitle(plot, title) {
+/// A title in the gutter, as those of the other tracks. `lines`: its texts.
+function drawTitle(plot, lines) {
   const { ctx: context, bbox: box } = plot;
   context.save();
   context.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
   context.fillStyle = themeColor("soft");
   context.textAlign = "left";
   context.textBaseline = "middle";
-  context.fillText(title, 8 * devicePixelRatio, box.top + box.height / 2);
+  lines.forEach((line, i) => {
+    const offset = TITLE_LINE * (i - 0.5 * (lines.length - 1));
+    context.fillText(line, 8 * devicePixelRatio, box.top + box.height / 2 + offset * devicePixelRatio);
+  });
   context.restore();
 }
 
@@ -43,11 +49,9 @@ function common(width, height, range, marks, format, title) {
       },
     ],
     scales: { x: { time: false, range } },
-    hooks: { draw: [(plot) => drawTitle(plot, title)] },
+    hooks: { draw: [(plot) => drawTitle(plot, title.split("\n"))] },
   };
 }
-
-const minus = (value) => String(value).replace("-", "−");
 
 function drawLimits(plot, limit) {
   if (!limit) return;
@@ -69,21 +73,27 @@ function drawLimits(plot, limit) {
   context.restore();
 }
 
+/// Short lines beside the labels.
+function drawTicks(plot) {
+  const { ctx: context, bbox: box } = plot;
+  const long = 3 * devicePixelRatio;
+  context.save();
+  context.fillStyle = themeColor("gray");
+  for (const tick of ticksOf(plot.scales.y.max, box.height / devicePixelRatio)) {
+    const y = Math.round(plot.valToPos(tick, "y", true));
+    context.fillRect(box.left - long, y, long, devicePixelRatio);
+  }
+  context.restore();
+}
+
 /// `range()`: [from, to] of the time axis. `limits()`: thresholds of the evidence, or null.
 export function evidencePlot(element, width, height, range, limits) {
-  const splits = (plot, axis, low, high) => {
-    const inside = EVIDENCE_MARKS.filter((mark) => mark >= low && mark <= high);
-    const apart = Math.max(...inside) > 10 ? (mark) => mark === 0 || Math.abs(mark) >= 100 : () => true;
-    return height < 110 ? inside.filter(apart) : inside;
-  };
-  const options = common(width, height, range, splits, minus, "evidence");
+  const splits = (plot, axis, low, high) => marksOf(high, plot.bbox.height / devicePixelRatio, APART);
+  const options = common(width, height, range, splits, markText, "evidence\n(log scale)");
   options.scales.y = {
     distr: 4,
-    asinh: 2,
-    range: (plot, low, high) => {
-      const most = Math.max(12, Math.abs(low ?? 0), Math.abs(high ?? 0)) * 1.1;
-      return [-most, most];
-    },
+    asinh: LINEAR,
+    range: (plot, low, high) => [-endOf(low, high), endOf(low, high)],
   };
   options.series = [
     {},
@@ -92,7 +102,7 @@ export function evidencePlot(element, width, height, range, limits) {
     { stroke: themeColor("ink"), width: 1.5, points: { show: false } },
   ];
   for (const series of options.series.slice(1, 3)) series.fillTo = 0;
-  options.hooks.draw.push((plot) => drawLimits(plot, limits()));
+  options.hooks.draw.push(drawTicks, (plot) => drawLimits(plot, limits()));
   return new uPlot(options, [[], [], [], []], element);
 }
 
@@ -134,6 +144,10 @@ export function columnsOf(store, from, to) {
   for (const i of chosenFrames(store, first, last)) {
     const frame = store.frames[i];
     if (!frame?.pose) continue;
+    if (frame.time - time.at(-1) > GAP && frame.time - store.frames[i - 1].time > GAP) {
+      time.push(frame.time - 1e-3);
+      for (const column of [above, under, evidence, current, opposite]) column.push(null);
+    }
     const value = frame.evidence ?? null;
     time.push(frame.time);
     evidence.push(value);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Both futures of a what-if on one time axis: evidence, status, the states that differ, and the commands.
 import { AXIS, FONT, ROW, drawAxis, drawBand, drawLabel } from "./bands.js";
+import { endOf, markText, marksOf, positionOf, ticksOf } from "./evidence_scale.js";
 import { themeColor } from "./palette.js";
 import { GUTTER, RIGHT } from "./plots.js";
 
 const MOST_MACHINES = 4;
-const LEAST_EVIDENCE = 12; // of the vertical axis
+const APART = 13; // pixels between two labels
 const DASHES = [6, 4];
 
 /// The machines whose states differ, the first difference first.
@@ -35,17 +36,20 @@ function drawCurve(context, times, values, x, y) {
 }
 
 function drawEvidence(context, answer, limit, x, width, height) {
-  const most = 1.1 * Math.max(LEAST_EVIDENCE, ...answer.recorded.evidence.map(Math.abs), ...answer.tried.evidence.map(Math.abs));
-  const scale = (value) => Math.asinh(value / 2) / Math.asinh(most / 2);
-  const y = (value) => height * (0.5 - 0.5 * scale(value));
-  for (const mark of [-100, -10, 0, 10, 100].filter((it) => Math.abs(it) < 0.9 * most)) {
+  const sizes = [answer.recorded, answer.tried].flatMap(({ evidence }) => evidence.map(Math.abs));
+  const end = endOf(0, Math.max(...sizes, 0));
+  const y = (value) => height * (0.5 - 0.5 * positionOf(value, end));
+  for (const mark of marksOf(end, height, APART)) {
     context.fillStyle = themeColor("rule");
     context.fillRect(GUTTER, y(mark), width - GUTTER - RIGHT, 1);
     context.fillStyle = themeColor("soft");
     context.textAlign = "right";
-    context.fillText(String(mark).replace("-", "−"), GUTTER - 6, y(mark));
+    context.fillText(markText(mark), GUTTER - 6, y(mark));
   }
-  drawLabel(context, "evidence", height / 2);
+  context.fillStyle = themeColor("gray");
+  for (const tick of ticksOf(end, height)) context.fillRect(GUTTER - 3, y(tick), 3, 1);
+  drawLabel(context, "evidence", height / 2 - 7);
+  drawLabel(context, "(log scale)", height / 2 + 7);
   context.lineWidth = 1;
   context.setLineDash([2, 3]);
   for (const [value, color] of limit ? [[limit.unconfirmed, "red"], [-limit.unconfirmed, "blue"]] : []) {

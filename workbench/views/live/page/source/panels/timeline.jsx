@@ -36,7 +36,8 @@ function range() {
   }
   // The first minute fills the axis, too.
   const oldest = store.frames[0]?.time ?? 0;
-  return [Math.max(view.end - settings.span, Math.min(oldest, view.end - LEAST)), view.end];
+  const from = Math.max(view.end - settings.span, Math.min(oldest, view.end - LEAST));
+  return from < 0 && oldest >= 0 ? [0, Math.max(view.end, LEAST)] : [from, view.end]; // a robot starts at 0 s
 }
 
 /// The time below the pointer, or null.

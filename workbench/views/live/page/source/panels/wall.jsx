@@ -4,6 +4,7 @@
 import { useRef } from "preact/hooks";
 
 import { Canvas } from "../draw/canvas.jsx";
+import { markText, positionOf } from "../draw/evidence_scale.js";
 import { drawNote, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
 import { palette, themeColor } from "../draw/palette.js";
 import { sceneOf } from "../draw/scene.js";
@@ -14,6 +15,8 @@ import { limits, store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { changedByUser, useChanges } from "../ticker.js";
 
+const BAR_END = 150; // log-odds
+const BAR_MARKS = [-100, -10, -1, 0, 1, 10, 100];
 const LEAST_RING = 150; // pixels, below which the ring is too small to read
 const DIRECTIONS = [
   [180, "own goal"],
@@ -163,22 +166,31 @@ export function EvidenceBar() {
   const evidence = frame?.evidence;
   const known = typeof evidence === "number";
   const limit = limits();
-  const place = (value) => 50 + 50 * Math.max(-1, Math.min(1, Math.asinh(value / 2) / Math.asinh(75)));
+  const place = (value) => 50 + 50 * positionOf(value, BAR_END);
   const from = known ? Math.min(50, place(evidence)) : 50;
   const to = known ? Math.max(50, place(evidence)) : 50;
   return (
     <div class="evidence">
       <span class="blue">believed</span>
-      <div class="bar" role="img" aria-label={`Evidence ${fixed(evidence, 1)}`}>
+      <div class="bar" role="img" aria-label={`Evidence ${fixed(evidence, 1)} on a logarithmic scale`}>
+        {BAR_MARKS.map((mark) => (
+          <small key={mark} class={Math.abs(mark) === 1 ? "fine" : undefined} style={{ left: `${place(mark)}%` }}>
+            {markText(mark)}
+          </small>
+        ))}
         <i class={evidence > 0 ? "red" : "blue"} style={{ left: `${from}%`, width: `${to - from}%` }} />
         <b style={{ left: "50%" }} />
         {limit &&
           [limit.unconfirmed, -limit.unconfirmed].map((value) => (
             <u key={value} style={{ left: `${place(value)}%` }} />
           ))}
+        {known && <em class={evidence > 0 ? "red" : "blue"} style={{ left: `${place(evidence)}%` }} />}
       </div>
       <span class="red">mirrored</span>
-      <span class="value">{known ? fixed(evidence, 1) : "–"}</span>
+      <span class="value">
+        {known ? fixed(evidence, 1) : "–"}
+        <small>log scale</small>
+      </span>
     </div>
   );
 }
