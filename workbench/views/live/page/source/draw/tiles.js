@@ -10,6 +10,7 @@ const NEAR = 0.03; // rad, less than a cell of a grid and more than the distance
 const FULL = 0.3; // fraction of the belief at which a bar is highest
 const STRIPES = 7; // pixels between two stripes
 const cache = new WeakMap();
+const swaps = new WeakMap(); // tiles: the swapped ones
 
 /// {rows, columns, sum, evidence: [log-odds], inView: Map of tile to {believed, mirrored}, belief: bars} of a message of
 /// /room.
@@ -22,6 +23,20 @@ export function tilesOf(message) {
     cache.set(message, tiles);
   }
   return tiles;
+}
+
+/// The same tiles, compared with the poses after a flip: what was the mirrored pose is the believed one.
+export function swapped(tiles) {
+  let other = swaps.get(tiles);
+  if (!other) {
+    const inView = [...tiles.inView].map(([tile, { believed, mirrored }]) => [
+      tile,
+      { tile, believed: mirrored, mirrored: believed },
+    ]);
+    other = { ...tiles, sum: -tiles.sum, evidence: tiles.evidence.map((it) => -it), inView: new Map(inView) };
+    swaps.set(tiles, other);
+  }
+  return other;
 }
 
 /// The parts of the belief of the view, [{azimuth, height}], as bars over the azimuth: [{azimuth, bar}]. The height of a

@@ -8,10 +8,11 @@ import { markText, positionOf } from "../draw/evidence_scale.js";
 import { drawNote, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
 import { palette, themeColor } from "../draw/palette.js";
 import { sceneOf } from "../draw/scene.js";
-import { drawEvidence, evidenceColor, factsOf, tileAt, tilesOf } from "../draw/tiles.js";
+import { drawEvidence, evidenceColor, factsOf, tileAt } from "../draw/tiles.js";
 import { drawRing, sightOnWall, tileOfRing, wallOf } from "../draw/wall.js";
-import { fixed } from "../format.js";
+import { fixed, seconds } from "../format.js";
 import { limits, store } from "../robot.js";
+import { roomOf } from "../room.js";
 import { set, settings } from "../settings.js";
 import { changedByUser, useChanges } from "../ticker.js";
 
@@ -139,12 +140,6 @@ function drawWallRing(context, scene, evidence, frame, width, height) {
   return tileOf;
 }
 
-/// The last message of /room, if the robot sends it: {tiles, time}.
-function roomShown() {
-  const found = store.read("/room", 60);
-  return found && { tiles: tilesOf(found.value), time: found.time };
-}
-
 /// Draws the wall as a strip or as a ring. Returns the function that finds the tile at a pixel, if there is a wall.
 export function drawWall(context, width, height, form) {
   const found = store.read("/wall", 60);
@@ -153,9 +148,9 @@ export function drawWall(context, width, height, form) {
     return null;
   }
   const draw = form === "ring" && height > LEAST_RING ? drawWallRing : drawStrip;
-  const room = roomShown();
   // The belief of the view belongs to the frame of its message, and so do the views that it is compared with.
-  const frame = store.frames[store.indexAt((room ?? found).time)];
+  const room = roomOf(store);
+  const frame = room ?? store.frames[store.indexAt(found.time)];
   return draw(context, sceneOf(found.value), room?.tiles, frame, width, height);
 }
 
@@ -195,14 +190,19 @@ export function EvidenceBar() {
   );
 }
 
-/// What the frames of the tiles mean.
-function TileLegend() {
+/// What the frames of the tiles mean. flip: the time of a flip since the tiles were compared, or null.
+function TileLegend({ flip }) {
   return (
     <p class="tile-legend" title="A frame is thick while its tile is in view. A click on a tile shows its numbers.">
       Tiles match
       <i style={{ borderColor: evidenceColor(-1) }} /> believed
       <i style={{ borderColor: evidenceColor(0) }} /> neither
       <i class="striped" style={{ borderColor: evidenceColor(1), color: evidenceColor(1) }} /> mirrored
+      {flip != null && (
+        <span class="badge" title={`Compared before the flip at ${seconds(flip)}, and shown for the pose after it.`}>
+          before the flip
+        </span>
+      )}
     </p>
   );
 }
@@ -210,8 +210,9 @@ function TileLegend() {
 /// What is known about the tile that was clicked; otherwise the legend. A box would cover tiles.
 function TileNumbers({ picked }) {
   useChanges(200);
-  const tiles = roomShown()?.tiles;
-  if (picked.current === null || !tiles) return <TileLegend />;
+  const room = roomOf(store);
+  const tiles = room?.tiles;
+  if (picked.current === null || !tiles) return <TileLegend flip={room?.flip} />;
   const close = () => {
     picked.current = null;
     changedByUser();
@@ -234,7 +235,7 @@ function WallPanel() {
   const tileOf = useRef(null);
   const picked = useRef(null);
   const pick = (u, v) => {
-    picked.current = (roomShown() && tileOf.current?.(u, v)) ?? null;
+    picked.current = (roomOf(store) && tileOf.current?.(u, v)) ?? null;
     changedByUser();
   };
   const draw = (context, width, height) => {
