@@ -463,6 +463,11 @@ test("the page says that the robot is gone, keeps its data, and connects again b
   await note.waitFor();
   await robot.stop();
   await page.getByText("The robot is gone for").waitFor();
+  await page.keyboard.press("4");
+  await behaviorsPanel().locator(".machine .name", { hasText: "kidnap recovery" }).click(); // not shown before
+  await behaviorsPanel().getByText("The robot is gone. The page connects again by itself.").waitFor();
+  await behaviorsPanel().getByRole("button", { name: "Show all behaviors" }).click();
+  await page.keyboard.press("8");
   await robot.start(robot.port);
   await until(() => document.querySelector(".connection").textContent.startsWith("Live"));
   const time = await shownTime();

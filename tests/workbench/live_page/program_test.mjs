@@ -144,7 +144,8 @@ test("the lines of the open transitions follow an edit", async () => {
   writeFileSync(file, `-- one more line\n${readFileSync(file, "utf8")}`);
   await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().waitFor();
   await panel("behaviors").locator(".arrow.numbered").first().waitFor();
-  await panel("behaviors").getByText(`line ${before + 1}`, { exact: true }).first().click();
+  // A link once the new definition is known.
+  await panel("behaviors").getByRole("button", { name: `line ${before + 1}`, exact: true }).first().click();
   const text = readFileSync(file, "utf8").split("\n")[before]; // of whichever state is active
   await page.locator("[data-panel=scripts] .cm-editor.cm-focused").waitFor(); // focused when the cursor is at the line
   assert.equal(await page.locator("[data-panel=scripts] .cm-activeLine").innerText(), text);

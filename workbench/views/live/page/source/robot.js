@@ -114,10 +114,23 @@ export const canSetParameters = () =>
   link.state === "open" && !link.refusal && (connection.has("parameters") || canCall(SET));
 /// Whether the robot offers a service; `changes`: one that changes something.
 export const canCall = (service, changes = false) => link.services.has(service) && !(changes && link.refusal);
-/// Whether the robot is a recording with a time bar.
+/// Why nothing is known about what the robot offers; empty: it is connected.
+export function whyGone() {
+  if (link.state === "closed") return "The robot is gone. The page connects again by itself.";
+  if (link.state === "connecting") return "Connecting to the robot…";
+  return link.services.size || !connection.has("services") ? "" : "Waiting for the robot…";
+}
 /// Why the robot ended the connection; an empty text: it did not say.
 export const endReason = () => connection?.reason ?? "";
-export const isReplay = () => connection.has("playbackControl");
+/// Whether the robot is a recording with a time bar.
+export const isReplay = () => connection?.has("playbackControl") ?? false;
+/// Sends a request of playbackRequest().
+export const sendPlayback = (request) => connection.sendBinary(playbackRequest(request));
+/// The first and the last time of the data of a replay: [s, s], or null.
+export function dataRange() {
+  const { dataStartTime: start, dataEndTime: end } = connection.server ?? {};
+  return start && end ? [seconds(start), seconds(end)] : null;
+}
 export const call = (service, value, timeout) => connection.call(service, value, timeout);
 
 /// Sends a value of a parameter. The answer contains the value that is in force.

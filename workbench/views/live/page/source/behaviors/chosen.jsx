@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One behavior: its states as a graph, its open transitions, and its last events.
 import { duration, seconds } from "../format.js";
-import { canCall, store } from "../robot.js";
+import { canCall, store, whyGone } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { choice, choose, toggleGraph, useFocus } from "./choice.js";
 import { definitionAt } from "./definitions.js";
@@ -104,8 +104,8 @@ function listedOf(machine, definition, open) {
 
 function Graph({ machine, definition, problem, listed, until }) {
   if (!definition) {
-    const reason = canCall("machine") ? problem || "Waiting for the states…" : "This robot does not send the states.";
-    return <p class="soft pad">{reason}</p>;
+    const offered = canCall("machine") ? problem || "Waiting for the states…" : "This robot does not send the states.";
+    return <p class="soft pad">{whyGone() || offered}</p>;
   }
   const last = eventsOf(store.events, machine.name, until, SEARCHED).find((it) => it.kind === "transition");
   const chooseState = (state) => {

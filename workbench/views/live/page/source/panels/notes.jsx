@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 
 import { fixed } from "../format.js";
-import { call, canCall, link, store } from "../robot.js";
+import { call, canCall, link, store, whyGone } from "../robot.js";
 import { useChanges } from "../ticker.js";
 
 function Notes() {
@@ -58,7 +58,7 @@ function Notes() {
           <li class="empty">
             {canCall("note", true)
               ? "No notes yet. A note is stored in the recording with the time of the robot."
-              : link.refusal || "This robot takes no notes from the page."}
+              : link.refusal || whyGone() || "This robot takes no notes from the page."}
           </li>
         )}
       </ol>

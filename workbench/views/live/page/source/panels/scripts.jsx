@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { seconds } from "../format.js";
-import { canCall, link } from "../robot.js";
+import { canCall, link, whyGone } from "../robot.js";
 import {
   canSave,
   closeScript,
@@ -177,7 +177,7 @@ function Scripts() {
   }, [isOffered]);
   const { open } = workplace;
   if (open) return <OpenScript script={open} />;
-  if (!isOffered) return <p class="empty">This robot does not show its scripts.</p>;
+  if (!isOffered) return <p class="empty">{whyGone() || "This robot does not show its scripts."}</p>;
   return <Files />;
 }
 

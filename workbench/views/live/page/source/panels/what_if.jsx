@@ -3,7 +3,7 @@
 import { Canvas } from "../draw/canvas.jsx";
 import { drawTrial, trialBandsHeight } from "../draw/trial.js";
 import { entered, seconds } from "../format.js";
-import { canSetParameters, limits, link, parameters, store } from "../robot.js";
+import { canSetParameters, limits, link, parameters, store, whyGone } from "../robot.js";
 import { theme } from "../theme.js";
 import { useChanges } from "../ticker.js";
 import {
@@ -119,7 +119,9 @@ function Answer({ answer }) {
 
 function Hint() {
   if (!canTry())
-    return <p class="empty">{link.refusal || "This robot keeps no frames, so it cannot answer what-if."}</p>;
+    return (
+      <p class="empty">{link.refusal || whyGone() || "This robot keeps no frames, so it cannot answer what-if."}</p>
+    );
   return (
     <p class="empty">
       Switch on “What if” in the panel Parameters and move a slider, or press “What if” above an edited script. The last
