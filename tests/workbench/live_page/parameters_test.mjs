@@ -44,6 +44,15 @@ test("an answer to an older message does not move a slider back", () => {
   assert.equal(parameters.refusals.size, 0);
 });
 
+test("what a closed connection left without an answer does not hide the value in force", () => {
+  const parameters = one();
+  parameters.change(HOLD.name, 2, "set-1");
+  assert.ok(parameters.pending.has(HOLD.name));
+  parameters.forgetSent();
+  parameters.take([{ name: HOLD.name, value: 0.2 }], "all");
+  assert.equal(value(parameters), 0.2);
+});
+
 test("a float of the robot is the same value", () => {
   const parameters = one();
   parameters.change(HOLD.name, 0.3, "set-1");

@@ -188,6 +188,59 @@ test("a run pauses, takes single frames and resumes", async () => {
   await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
 });
 
+test("on a phone the header of a paused run is one row of text and one of buttons", async () => {
+  await page.keyboard.press("p");
+  await page.getByText("Run paused").waitFor();
+  const { width, height } = page.viewportSize();
+  await page.setViewportSize({ width: 390, height: 844 });
+  const buttons = await page.locator("header nav .button:visible").evaluateAll((all) =>
+    all.map((it) => it.getBoundingClientRect()).map(({ top, right }) => ({ top, right })),
+  );
+  assert.ok(buttons.length > 6);
+  assert.deepEqual([...new Set(buttons.map(({ top }) => top))], [buttons[0].top]);
+  assert.ok(Math.max(...buttons.map(({ right }) => right)) <= 390);
+  await page.setViewportSize({ width, height });
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
+});
+
+test("a slider changes a parameter of a paused run, and the robot obeys within two frames", async () => {
+  await page.keyboard.press("p");
+  await page.getByText("Run paused").waitFor();
+  await page.keyboard.press("5");
+  await panel("parameters").locator("input[type=search]").fill("orientation.hold_time");
+  const slider = page.locator('input[aria-label="orientation.hold_time as a slider"]');
+  await slider.focus();
+  await slider.press("End");
+  await panel("parameters").getByText("from the next frame on").waitFor();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("4");
+  await panel("behaviors").locator(".machine .name", { hasText: /^orientation$/ }).click();
+  const held = panel("behaviors").locator(".dwell .value", { hasText: "of 10.0 s" });
+  await panel("behaviors").locator(".dwell .value").first().waitFor();
+  assert.equal(await held.count(), 0, "the shown frame is that before the change");
+  const time = async () => Number.parseFloat(await page.locator(".connection .value").first().innerText());
+  const before = await time();
+  await page.keyboard.press(".");
+  await page.keyboard.press(".");
+  await held.first().waitFor();
+  const after = await time();
+  assert.ok(after - before < 2.5 / 30, `expected at most two frames, found ${before} and ${after} s`);
+  await page.keyboard.press("5");
+  await panel("parameters").locator("input[type=search]").fill("orientation.hold_time");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator('input[aria-label="orientation.hold_time"]').inputValue(), "10");
+  await panel("parameters").getByText("from the next frame on").waitFor({ state: "detached" });
+  await page.keyboard.press("u");
+  await panel("parameters").getByText("from the next frame on").waitFor();
+  await page.keyboard.press(".");
+  await panel("parameters").getByText("from the next frame on").waitFor({ state: "detached" });
+  await page.keyboard.press("4");
+  await page.getByRole("button", { name: "Show all behaviors" }).click();
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
+});
+
 const field = () => page.locator("[data-panel=field] canvas");
 const operator = () => page.locator("[data-panel=operator]");
 
@@ -227,6 +280,27 @@ test("a drag that is canceled returns the robot", async () => {
   await page.getByText("Escape cancels").waitFor({ state: "detached" });
   await page.mouse.up();
   await page.locator("[data-panel=notes]").getByText("put_down").first().waitFor();
+});
+
+test("a robot that is placed in a paused run is shown there until the next frame", async () => {
+  await page.keyboard.press("p");
+  await page.getByText("Run paused").waitFor();
+  const { here } = await pointToRobot();
+  await page.mouse.down();
+  await page.mouse.move(here[0] + 30, here[1] + 30, { steps: 4 });
+  await page.mouse.up();
+  const pending = page.locator("[data-panel=field]").getByText("From the next frame on: x");
+  await pending.waitFor();
+  const [, x, y] = /x (\S+) m, y (\S+) m/.exec(await pending.innerText()).map((it) => it.replace("−", "-"));
+  await page.keyboard.press(".");
+  await pending.waitFor({ state: "detached" });
+  await operator().getByText("use the true pose").click();
+  for (const [name, expected] of [["x in m", x], ["y in m", y]]) {
+    const found = await operator().getByLabel(name).inputValue();
+    assert.ok(Math.abs(found - expected) < 0.05, `${name}: expected ${expected}, found ${found}`);
+  }
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => document.querySelector(".connection")?.textContent.startsWith("Live"));
 });
 
 test("a robot that is dragged to its mirrored pose notices it", async () => {

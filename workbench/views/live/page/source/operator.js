@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The operator beside the field, and the pace of the run: what this run offers, and the requests of this page.
-import { call, canCall, isReplay, link, store } from "./robot.js";
+import { mirrored } from "./draw/field.js";
+import { call, canCall, isReplay, link, store, whyGone } from "./robot.js";
 import { changed, changedByUser } from "./ticker.js";
 
 const POLL = 1000; // ms
@@ -9,10 +10,11 @@ const POLL = 1000; // ms
 export const run = { operator: false, pace: false, paused: false, speed: 1, problem: "" };
 
 let isAsking = false;
+let placed = null; // where this page placed the robot: {pose, after: s, run}
 
 function take(answer) {
   Object.assign(run, answer);
-  store.isStill = run.paused;
+  if (!isReplay()) store.isStill = run.paused;
 }
 
 async function refresh() {
@@ -38,6 +40,14 @@ export function followRun() {
   };
 }
 
+/// Where this page placed the true robot, until a frame shows it; null: as the frames show it.
+export function placedPose() {
+  const shown = store.shown();
+  const isOver = placed && (placed.run !== store.run || (store.isLive && shown?.time > placed.after));
+  if (isOver) placed = null;
+  return store.isLive ? (placed?.pose ?? null) : null;
+}
+
 /// The run is paused, so that no frames arrive.
 export const isRunPaused = () => link.state === "open" && run.paused;
 
@@ -46,19 +56,38 @@ async function request(service, value) {
     const answer = await call(service, value);
     run.problem = "";
     if (service === "pace") take(answer);
-    return true;
+    return answer;
   } catch (error) {
     run.problem = error.message;
-    return false;
+    return null;
   } finally {
     changedByUser();
   }
 }
 
-/// An action of the operator. Resolves to whether the run accepted it; if not, run.problem says why.
+/// An action of the operator. Resolves to the answer, or to null if the run refused it; then run.problem says why.
 export const act = (action, values = {}) => request("operator", { action, ...values });
-export const place = (pose, action = "put_down") =>
-  act(action, { x: pose.x, y: pose.y, degrees: (180 / Math.PI) * pose.rotation });
+
+/// An action that places the true robot at `pose` before the next frame.
+async function placeBy(pose, action, values) {
+  const mine = { pose, after: Infinity, run: store.run };
+  placed = mine;
+  const answer = await act(action, values);
+  // The answer has the time of the last frame before the action.
+  if (answer) mine.after = answer.time;
+  else if (placed === mine) placed = null;
+}
+
+const valuesOf = ({ x, y, rotation }) => ({ x, y, degrees: (180 / Math.PI) * rotation });
+/// Places the true robot.
+export const place = (pose) => placeBy(pose, "put_down", valuesOf(pose));
+/// Places the true robot at the mirrored pose of its true pose.
+export function mirrorRobot() {
+  const pose = placedPose() ?? store.shown()?.truth;
+  return pose && store.isLive ? placeBy(mirrored(pose), "mirror") : act("mirror");
+}
+/// Gives the robot a pose as its belief.
+export const setInitialPose = (pose) => act("set_initial_pose", valuesOf(pose));
 /// A change of the pace: pause, resume, frame, speed.
 export const setPace = (action, values = {}) => request("pace", { action, ...values });
 
@@ -70,6 +99,7 @@ export const canCarry = () => canOperate() && store.isLive && link.state === "op
 /// Why this page cannot act as the operator, as one sentence; empty: it can.
 export function whyNoOperator() {
   if (link.refusal) return link.refusal;
+  if (whyGone()) return whyGone();
   if (isReplay()) return "A replay has no operator.";
   if (!canCall("operator")) return "This robot takes no actions of the operator from the page.";
   if (!run.operator) return "This program cannot lift or place this robot. Only the simulator has an operator.";

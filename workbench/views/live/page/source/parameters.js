@@ -29,6 +29,12 @@ export class Parameters {
     this.onChange();
   }
 
+  /// The connection is closed: nothing that was sent is answered.
+  forgetSent() {
+    this.pending.clear();
+    this.onChange();
+  }
+
   /// Takes descriptions and values, from the service parameter_list or from parameterValues. `id`: that of the message
   /// that they answer. An answer to an older message than the last one does not move a slider back.
   take(list, id) {

@@ -38,8 +38,12 @@ const listeners = {
   state(state) {
     if (state !== link.state) link.since = Date.now();
     link.state = state;
-    if (state !== "open") link.services = new Set();
-    else if (connection.has("parameters")) connection.send({ op: "getParameters", parameterNames: [], id: "all" });
+    if (state !== "open") {
+      link.services = new Set();
+      parameters.forgetSent();
+    }
+    if (state === "open" && connection.has("parameters"))
+      connection.send({ op: "getParameters", parameterNames: [], id: "all" });
     subscribed = false;
   },
   server(info) {

@@ -3,7 +3,7 @@
 import { mirrored } from "../draw/field.js";
 import { palette } from "../draw/palette.js";
 import { degrees, meters, wrapped } from "../format.js";
-import { act, canCarry, place, run } from "../operator.js";
+import { act, canCarry, isRunPaused, place, placedPose, run } from "../operator.js";
 import { store } from "../robot.js";
 import { changedByUser } from "../ticker.js";
 
@@ -13,6 +13,7 @@ const SNAP = 0.4; // m
 const SNAP_TURN = Math.PI / 6;
 const WHEEL = Math.PI / 36; // for each notch
 
+const poseText = ({ x, y, rotation }) => `x ${meters(x)}, y ${meters(y)}, ${degrees(rotation)}`;
 const distance = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
 
 /// The pose at which a robot that was lifted at `start` is placed: the mirrored pose if it is near, else `pose`.
@@ -50,7 +51,7 @@ export class Carry {
 
   isNear(event) {
     const { plan } = this;
-    const truth = canCarry() && plan.current && store.shown()?.truth;
+    const truth = canCarry() && plan.current && (placedPose() ?? store.shown()?.truth);
     if (!truth) return null;
     const [u, v] = plan.current.at(truth.x, truth.y);
     const near = NEAR[event.pointerType] ?? NEAR.mouse;
@@ -148,10 +149,14 @@ export class Carry {
     return snapped(start, pose, turned);
   }
 
-  /// Draws the robot in the hand, and the ring of the mirrored pose.
+  /// Draws the robot in the hand, and the ring of the mirrored pose; or where the next frame shows the placed robot.
   draw(context, drawRobot) {
-    if (!this.drag?.lifted) return;
     const { at, scale } = this.plan.current;
+    if (!this.drag?.lifted) {
+      const placed = placedPose();
+      if (placed) drawRobot(context, placed, palette.truth, 12, this.plan.current, true);
+      return;
+    }
     const target = this.target();
     const goal = mirrored(this.drag.start);
     const isSnapped = distance(goal, target) === 0;
@@ -168,13 +173,18 @@ export class Carry {
     context.globalAlpha = 1;
   }
 
-  /// The lines of a note about the drag, or why the run refused it; empty without one.
+  /// The lines of a note about the drag, or why the run refused it, or where a paused run places the robot; empty
+  /// without one.
   lines() {
-    if (!this.drag?.lifted) return this.ended && run.problem ? [run.problem] : [];
+    if (!this.drag?.lifted) {
+      if (this.ended && run.problem) return [run.problem];
+      const placed = isRunPaused() && placedPose();
+      return placed ? [`From the next frame on: ${poseText(placed)}`] : [];
+    }
     const target = this.target();
     const isSnapped = distance(mirrored(this.drag.start), target) === 0;
     return [
-      `${isSnapped ? "Mirrored pose" : "Place"}: x ${meters(target.x)}, y ${meters(target.y)}, ${degrees(target.rotation)}`,
+      `${isSnapped ? "Mirrored pose" : "Place"}: ${poseText(target)}`,
       "Wheel, Shift or a second finger turns the robot. Escape cancels.",
     ];
   }

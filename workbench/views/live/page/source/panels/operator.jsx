@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 
 import { fixed } from "../format.js";
-import { act, canOperate, place, run, whyNoOperator } from "../operator.js";
+import { act, canOperate, mirrorRobot, place, run, setInitialPose, whyNoOperator } from "../operator.js";
 import { canCall, isReplay, store } from "../robot.js";
 import { useChanges } from "../ticker.js";
 
@@ -15,9 +15,9 @@ const FIELDS = [
   ["degrees", "degrees"],
 ];
 
-function Action({ name, title, pressed, children, values }) {
+function Action({ title, pressed, children, onAct }) {
   return (
-    <button class="button" title={title} aria-pressed={pressed} onClick={() => act(name, values)}>
+    <button class="button" title={title} aria-pressed={pressed} onClick={onAct}>
       {children}
     </button>
   );
@@ -41,7 +41,7 @@ function Place() {
       class="pad"
       onSubmit={(event) => {
         event.preventDefault();
-        if (isValid) place(pose, canOperate() ? "put_down" : "set_initial_pose");
+        if (isValid) (canOperate() ? place : setInitialPose)(pose);
       }}
     >
       <div class="row">
@@ -69,7 +69,7 @@ function Place() {
           type={canOperate() ? "button" : "submit"}
           disabled={!isValid}
           title="Give the robot this pose as its belief"
-          onClick={canOperate() ? () => place(pose, "set_initial_pose") : undefined}
+          onClick={canOperate() ? () => setInitialPose(pose) : undefined}
         >
           Set initial pose
         </button>
@@ -117,19 +117,25 @@ function Operator() {
       ) : (
         <>
           <div class="chips actions" role="group" aria-label="Actions of the operator">
-            <Action name="mirror" title="Carry the robot to the mirrored pose of its true pose">
+            <Action onAct={mirrorRobot} title="Carry the robot to the mirrored pose of its true pose">
               Mirror
             </Action>
-            <Action name="pick_up" title="Lift the robot">
+            <Action onAct={() => act("pick_up")} title="Lift the robot">
               Pick up
             </Action>
-            <Action name="push_over" title="Make the robot fall">
+            <Action onAct={() => act("push_over")} title="Make the robot fall">
               Push over
             </Action>
-            <Action name="penalize" pressed={robot.penalized === true} values={{ penalized: !robot.penalized }}>
+            <Action
+              onAct={() => act("penalize", { penalized: !robot.penalized })}
+              pressed={robot.penalized === true}
+            >
               {robot.penalized ? "End the penalty" : "Penalize"}
             </Action>
-            <Action name="change_light" title="Change the light of the hall, the objects and the people">
+            <Action
+              onAct={() => act("change_light")}
+              title="Change the light of the hall, the objects and the people"
+            >
               Change light
             </Action>
           </div>

@@ -3,6 +3,7 @@
 import { useRef, useState } from "preact/hooks";
 
 import { entered } from "../format.js";
+import { isRunPaused } from "../operator.js";
 import { call, canCall, canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
 import { SearchBox } from "../search_box.jsx";
 import { useChanges } from "../ticker.js";
@@ -129,6 +130,7 @@ function Parameter({ parameter, disabled }) {
   const { name, unit, min, max, description, origin } = parameter;
   const refusal = parameters.refusals.get(name);
   const isChanged = parameters.differs(parameter, "default");
+  const isLater = isRunPaused() && parameters.pending.has(name);
   const range = isRange(parameter) ? `${entered(min)} to ${entered(max)}` : "";
   return (
     <li class={isChanged ? "parameter changed" : "parameter"}>
@@ -140,6 +142,11 @@ function Parameter({ parameter, disabled }) {
       {isRange(parameter) && <Slider parameter={parameter} disabled={disabled} />}
       {description && <div class="description">{description}</div>}
       <div class="facts">
+        {isLater && (
+          <span class="badge" title="The run is paused. The robot has the value before until it runs a frame.">
+            from the next frame on
+          </span>
+        )}
         {range && (
           <span>
             {range}
