@@ -260,6 +260,24 @@ test("keys step by frames and seconds, and return to live", async () => {
   await page.locator("dialog").waitFor({ state: "detached" });
 });
 
+test("letters typed right after the key of the search are in its box, and replace the text in it", async () => {
+  await page.keyboard.press("8"); // a panel without a search
+  await page.keyboard.press("1");
+  const box = page.locator("[data-panel=parameters] input[type=search]");
+  await page.evaluate(() => {
+    const press = (key) => document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    for (const key of "/hold") press(key); // before anything is drawn
+  });
+  await until(() => document.activeElement.value === "hold");
+  await page.locator(".parameter", { hasText: "orientation.hold_time" }).waitFor();
+  await page.keyboard.type("_t");
+  assert.equal(await box.inputValue(), "hold_t");
+  await page.keyboard.press("Escape");
+  await page.keyboard.type("/scan");
+  assert.equal(await box.inputValue(), "scan");
+  await page.keyboard.press("Escape");
+});
+
 test("a click on the field shows numbers", async () => {
   await page.locator("[data-panel=field] canvas").click({ position: { x: 200, y: 150 } });
   assert.match(await page.locator(".numbers").innerText(), /x −?\d+\.\d\d m, y −?\d+\.\d\d m/);
@@ -487,11 +505,22 @@ test("the data of another run replaces that of the one before", async () => {
 });
 
 test("the audience sees field, wall and one sentence, and can change nothing", async () => {
-  for (const path of ["audience", "#audience"]) {
+  for (const [path, links] of [["audience", 0], ["audience?token=1", 1], ["#audience", 1]]) {
     const audience = await open({ viewport: { width: 1280, height: 720 } }, path);
     await untilDrawn(".audience canvas", 100, audience);
     await audience.waitForFunction(() => document.querySelector(".thought").textContent.startsWith("The r"));
     assert.equal(await audience.locator(".audience button, .audience input, .audience select").count(), 0);
+    const before = robot.received.length;
+    for (const key of ["u", "p", ".", "n", "5", "?"]) await audience.keyboard.press(key);
+    assert.equal(robot.received.length, before);
+    assert.equal(await audience.locator("dialog").count(), 0);
+    const back = audience.getByRole("link", { name: "Back to the page" });
+    assert.equal(await back.count(), links, path);
+    if (links) {
+      await back.click();
+      await audience.locator("[data-panel=timeline]").waitFor();
+      assert.ok(path.startsWith("#") || audience.url().endsWith("/?token=1"));
+    }
     await audience.close();
   }
 });

@@ -217,7 +217,8 @@ export function App() {
   useEffect(followRun, []);
   useEffect(() => {
     const navigate = () => setAudience(isAudience());
-    const key = (event) => onKey(event, { help: () => setHelp((shown) => !shown), close: () => setHelp(false) });
+    const actions = { help: () => setHelp((shown) => !shown), close: () => setHelp(false), isAudience };
+    const key = (event) => onKey(event, actions);
     const tick = setInterval(changed, 500); // durations on the page advance without messages
     addEventListener("hashchange", navigate);
     addEventListener("keydown", key);

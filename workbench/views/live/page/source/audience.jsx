@@ -22,6 +22,13 @@ const LAYERS = {
 
 export const isAudience = () => location.hash === "#audience" || location.pathname.endsWith("/audience");
 
+/// The address of the page; null: /audience was opened without the token of the run, as for a public screen.
+function pageAddress() {
+  const { pathname, search } = location;
+  if (!pathname.endsWith("/audience")) return "#";
+  return search.includes("token=") ? pathname.replace(/audience$/, "") + search : null;
+}
+
 function Legend() {
   useChanges(1000);
   const entries = [
@@ -43,6 +50,7 @@ function Legend() {
 }
 
 export function Audience() {
+  const page = pageAddress();
   return (
     <div class="audience">
       <div class="stage">
@@ -58,7 +66,14 @@ export function Audience() {
           <EvidenceBar />
         </div>
         <Legend />
-        <ConnectionState />
+        <p class="foot">
+          <ConnectionState />
+          {page !== null && (
+            <a class="soft" href={page} title="Back to the page (A)">
+              Back to the page
+            </a>
+          )}
+        </p>
       </aside>
     </div>
   );

@@ -11,7 +11,7 @@ export const KEYS = [
   ["← →", "one frame back or forward; with Shift one second"],
   ["L", "back to live"],
   ["1 … 9, 0, O, W", "open a panel"],
-  ["P", "pause or resume the run, if its pace can be set"],
+  ["P", "pause or resume the run, if its pace can be set, or the replay"],
   [".", "run one frame of a paused run"],
   ["/", "search in parameters, world, log or scripts"],
   ["N", "write a note"],
@@ -30,19 +30,40 @@ function move(event, direction) {
   else store.step(direction);
 }
 
-/// Focuses an element once it is drawn.
-function focusSoon(selector, attempts = 10) {
-  requestAnimationFrame(() => {
-    const element = document.querySelector(selector);
-    if (element) element.focus();
-    else if (attempts > 0) focusSoon(selector, attempts - 1);
-  });
+let typed = null; // letters for a box that is not drawn yet; null: no box is about to get the focus
+
+/// Focuses a box, now if it is drawn, else once it is. What is typed until then goes into the box.
+function focusBox(find, attempts = 10) {
+  const box = find();
+  if (box) {
+    box.focus();
+    box.select();
+    if (typed) {
+      box.value = typed;
+      box.dispatchEvent(new Event("input", { bubbles: true }));
+    }
+  }
+  const isLater = !box && attempts > 0;
+  typed = isLater ? (typed ?? "") : null;
+  if (isLater) requestAnimationFrame(() => focusBox(find, attempts - 1));
 }
 
-/// `actions`: help(), close().
+const SEARCH = "input[type=search]";
+/// The box for a search of the panel with the focus, else the first one.
+const searchBox = () =>
+  document.activeElement?.closest("[data-panel]")?.querySelector(SEARCH) ?? document.querySelector(SEARCH);
+
+const AUDIENCE_KEYS = ["a", "t", "l", " ", "ArrowLeft", "ArrowRight"];
+
+/// `actions`: help(), close(); isAudience(): the view is read-only.
 export function onKey(event, actions) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { target } = event;
+  if (typed !== null && event.key.length === 1) {
+    typed += event.key;
+    event.preventDefault();
+    return;
+  }
   if (event.key === "Escape") {
     target.blur?.();
     actions.close();
@@ -67,18 +88,18 @@ export function onKey(event, actions) {
     },
     n: () => {
       openPanel("notes");
-      focusSoon("#note");
+      focusBox(() => document.querySelector("#note"));
     },
     "/": () => {
-      if (!document.querySelector("input[type=search]")) openPanel("parameters");
-      focusSoon("input[type=search]");
+      if (!searchBox()) openPanel("parameters");
+      focusBox(searchBox);
     },
     "?": actions.help,
   };
   const handler = panel
     ? () => openPanel(panel.id)
     : handlers[key];
-  if (!handler) return;
+  if (!handler || (actions.isAudience() && !AUDIENCE_KEYS.includes(key))) return;
   event.preventDefault();
   handler();
 }
