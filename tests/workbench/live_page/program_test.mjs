@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 
-import { PATIENCE, launch, openPage, untilListed } from "./browser.mjs";
+import { PATIENCE, launch, linkOf, openPage, untilListed } from "./browser.mjs";
 
 const [program, folder] = process.argv.slice(2);
 const scripts = join(folder, "scripts");
@@ -28,19 +28,12 @@ before(async () => {
   }
   run = spawn(program, [...options, "36000", "--live", "0"], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
   createInterface(run.stdout).on("line", (line) => printed.push(line));
-  const link = await new Promise((resolve, reject) => {
-    createInterface(run.stderr).on("line", (line) => {
-      const found = line.match(/live view: (\S+)/);
-      if (found) resolve(found[1]);
-    });
-    run.on("exit", (code) => reject(new Error(`expected a link, found the exit code ${code}`)));
-  });
+  const link = await linkOf(run);
   browser = await launch();
   page = await openPage(browser, { viewport: { width: 1366, height: 768 } }, link, messages);
 });
 after(async () => {
   await browser?.close();
-  run?.removeAllListeners("exit");
   run?.kill("SIGKILL");
 });
 
@@ -345,7 +338,6 @@ test("the panel of the operator places, pushes and penalizes the robot, and refu
 });
 
 test("the page says that the run has ended", async () => {
-  run.removeAllListeners("exit");
   run.kill("SIGINT");
   await page.getByText("The run has ended").first().waitFor();
 });

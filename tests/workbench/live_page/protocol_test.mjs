@@ -3,7 +3,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { readBinary, readJson, readText, serviceRequest } from "../../../workbench/views/live/page/source/protocol.js";
+import {
+  playbackRequest,
+  readBinary,
+  readJson,
+  readText,
+  serviceRequest,
+} from "../../../workbench/views/live/page/source/protocol.js";
 
 /// Bytes of little-endian numbers: [bits, value].
 function bytes(...fields) {
@@ -34,6 +40,21 @@ test("a service response has the call and its JSON", () => {
   const message = readBinary(bytes([8, 3], [32, 1], [32, 9], [32, 1], [8, 106], [8, 49]));
   assert.deepEqual([message.op, message.service, message.call, message.encoding], ["serviceResponse", 1, 9, "j"]);
   assert.equal(readJson(message.payload), 1);
+});
+
+test("a state of the playback has status, time, speed and whether it follows a seek", () => {
+  const half = 0x3f000000; // 0.5 as a float
+  const state = bytes([8, 5], [8, 1], [64, 43_400_000_000n], [32, half], [8, 1], [32, 0]);
+  assert.deepEqual(readBinary(state), { op: "playbackState", status: 1, time: 43.4, speed: 0.5, didSeek: true });
+  assert.throws(() => readBinary(state.slice(0, 18)), /expected a state of the playback of at least 19 bytes, found 18/);
+});
+
+test("a request of a replay is what the specification says", () => {
+  const half = 0x3f000000;
+  const of = (values) => playbackRequest(values).buffer;
+  assert.deepEqual(of({ pauses: true, speed: 0.5 }), bytes([8, 3], [8, 1], [32, half], [8, 0], [64, 0n], [32, 0]));
+  const seek = bytes([8, 3], [8, 0], [32, half], [8, 1], [64, 12_500_000_000n], [32, 0]);
+  assert.deepEqual(of({ pauses: false, speed: 0.5, seek: 12.5 }), seek);
 });
 
 test("a service request is what the specification says", () => {

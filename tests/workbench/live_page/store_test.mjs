@@ -186,6 +186,35 @@ test("another run, whose time begins again, replaces the frames", () => {
   );
 });
 
+test("a replay that continues at an earlier time replaces the frames after it, and keeps those before", () => {
+  const store = new Store();
+  store.isReplay = true;
+  const event = { machine: "a", state: "b > c", command: "", verdict: "", reason: "" };
+  const play = (from, to) => {
+    for (let time = from; time <= to; ++time) {
+      store.receive("/world", time * 1e6, encode(world(0, time < 7 ? "unlearned" : "usable")));
+      store.receive("/events", time * 1e6, encode(event));
+      store.receive("/log", time * 1e6, encode({ level: 2, name: "n", message: "m" }));
+    }
+  };
+  store.receive("/field", 0, encode({ entities: [] }));
+  play(1, 9);
+  store.show(8);
+  play(5, 6);
+  const times = (list) => list.map((it) => it.time);
+  for (const list of [store.frames, store.events, store.log]) assert.deepEqual(times(list), [1, 2, 3, 4, 5, 6]);
+  const states = () => store.bands.get("status").map((it) => it.value);
+  assert.deepEqual(states(), ["unlearned"]);
+  assert.equal(store.instant, 5);
+  assert.ok(store.lasting.has("/field"));
+  play(9, 9);
+  assert.deepEqual(times(store.frames).at(-1), 9);
+  assert.deepEqual(states(), ["unlearned", "", "usable"], "not known between 6 and 9 s");
+  store.isReplay = false;
+  play(8, 8);
+  assert.equal(store.frames.length, 8, "a late message of a run");
+});
+
 test("events are transitions, commands, notes or of the game", () => {
   const of = (fields) => eventOf(1, { machine: "m", state: "", command: "", verdict: "", reason: "r", ...fields });
   assert.deepEqual(of({ state: "a/b > c" }), {

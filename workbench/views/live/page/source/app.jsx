@@ -10,7 +10,9 @@ import { AREAS, contentsOf, hidePanel, movePanel, openPanel, resetLayout } from 
 import { followRun, isRunPaused } from "./operator.js";
 import { Pace } from "./pace.jsx";
 import { panels } from "./panels/index.js";
-import { endReason, limits, link, store } from "./robot.js";
+import { replay } from "./replay.js";
+import { ReplayPace } from "./replay.jsx";
+import { endReason, isReplay, limits, link, store } from "./robot.js";
 import { thought } from "./sentence.js";
 import { settings } from "./settings.js";
 import { switchTheme } from "./theme.js";
@@ -37,8 +39,11 @@ function connectionText() {
   }
   if (isRunPaused()) return { tone: "busy", text: "Run paused" };
   if (!store.frames.length) return { tone: "doubt", text: "Connected. Waiting for data…" };
+  if (isReplay() && replay.status === "buffering") return { tone: "busy", text: "Seeking…" };
+  if (isReplay() && replay.status === "paused") return { tone: "busy", text: "Replay paused" };
+  if (isReplay() && replay.status === "ended") return { tone: "busy", text: "End of the recording" };
   if (now - link.heard > STALE) return { tone: "doubt", text: `No data for ${duration((now - link.heard) / 1000)}` };
-  return { tone: "good", text: "Live" };
+  return { tone: "good", text: isReplay() ? "Replay" : "Live" };
 }
 
 export function ConnectionState() {
@@ -52,7 +57,7 @@ export function ConnectionState() {
       <i class="lamp" />
       <b>{isPaused ? "View paused" : text}</b>
       {shown && <span class="value">{seconds(shown.time)}</span>}
-      {isPaused && <span class="soft value">robot at {seconds(store.newest, 0)}</span>}
+      {isPaused && <span class="soft value">{isReplay() ? "replay" : "robot"} at {seconds(store.newest, 0)}</span>}
       {isSlow && (
         <span class="badge" title="The robot left out messages, images first.">
           slow connection, {link.drops}× dropped
@@ -118,6 +123,7 @@ function Header({ onHelp }) {
       <Thought />
       <nav>
         <Pace />
+        <ReplayPace />
         <PanelMenu />
         <button
           class="button"

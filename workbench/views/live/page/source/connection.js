@@ -8,7 +8,7 @@ const SILENCE = 10000; // after this time without any message the connection is 
 const SERVICE_TIMEOUT = 5000;
 
 /// Events that `listener(name, value)` receives: "state", "server", "message", "status", "parameters", "services",
-/// "bad".
+/// "playback", "bad".
 export class Connection {
   constructor(url, topics, listener) {
     this.url = url;
@@ -117,6 +117,8 @@ export class Connection {
     if (message.op === "messageData") {
       const topic = this.subscriptions.get(message.subscription);
       if (topic) this.listener("message", { topic, time: message.time, payload: message.payload });
+    } else if (message.op === "playbackState") {
+      this.listener("playback", message);
     } else if (message.op === "serviceResponse") {
       this.finishCall(message.call, readJson(message.payload), null);
     }
@@ -136,6 +138,10 @@ export class Connection {
 
   send(message) {
     if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+
+  sendBinary(bytes) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(bytes);
   }
 
   has(capability) {

@@ -6,10 +6,15 @@ export const SUBPROTOCOL = "foxglove.websocket.v1";
 const MESSAGE_DATA = 1;
 const TIME = 2;
 const SERVICE_RESPONSE = 3;
+const PLAYBACK_STATE = 5;
 const SERVICE_REQUEST = 2; // sent by the client
+const PLAYBACK_REQUEST = 3; // sent by the client
 const MICROSECOND = 1000n; // ns
 
 const text = new TextDecoder();
+
+/// A time of a message in s.
+export const seconds = ({ sec, nsec }) => sec + 1e-9 * nsec;
 
 class BadMessage extends Error {}
 
@@ -63,6 +68,16 @@ export function readBinary(buffer) {
       payload: new Uint8Array(buffer, 13 + length),
     };
   }
+  if (code === PLAYBACK_STATE) {
+    expect(buffer.byteLength >= 19, "a state of the playback of at least 19 bytes", buffer.byteLength);
+    return {
+      op: "playbackState",
+      status: view.getUint8(1),
+      time: Number(view.getBigUint64(2, true) / MICROSECOND) * 1e-6,
+      speed: view.getFloat32(10, true),
+      didSeek: view.getUint8(14) !== 0,
+    };
+  }
   return { op: "unknown", code };
 }
 
@@ -78,6 +93,19 @@ export function serviceRequest(service, call, value) {
   view.setUint32(9, encoding.length, true);
   bytes.set(encoding, 13);
   bytes.set(payload, 13 + encoding.length);
+  return bytes;
+}
+
+/// A request of a replay. pauses: true, or false to play; speed: times real time; seek: s, or undefined.
+export function playbackRequest({ pauses, speed, seek }) {
+  const bytes = new Uint8Array(19);
+  const view = new DataView(bytes.buffer);
+  view.setUint8(0, PLAYBACK_REQUEST);
+  view.setUint8(1, pauses ? 1 : 0);
+  view.setFloat32(2, speed, true);
+  view.setUint8(6, seek === undefined ? 0 : 1);
+  view.setBigUint64(7, BigInt(Math.round(Math.max(0, seek ?? 0) * 1e9)), true);
+  view.setUint32(15, 0, true); // an empty id
   return bytes;
 }
 

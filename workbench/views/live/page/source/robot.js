@@ -2,6 +2,7 @@
 // The robot as the panels see it: the store, the parameters, the state of the connection, and what can be sent.
 import { Connection } from "./connection.js";
 import { Parameters, thresholds } from "./parameters.js";
+import { playbackRequest, seconds } from "./protocol.js";
 import { Store, TOPICS } from "./store.js";
 import { changed, changedByUser, onFailure } from "./ticker.js";
 
@@ -31,6 +32,7 @@ export const link = {
 let connection = null;
 let session = null;
 let forget = () => {};
+let playback = () => {};
 let nextId = 1;
 let subscribed = false;
 
@@ -55,6 +57,7 @@ const listeners = {
       forget();
     }
     session = info.sessionId;
+    store.isReplay = isReplay();
     parameters.begin(session);
   },
   services(services) {
@@ -88,10 +91,18 @@ const listeners = {
       });
     }
   },
+  playback(state) {
+    playback(state);
+  },
   bad(text) {
     store.fail(text);
   },
 };
+
+/// Sets what is called with the state of a replay: status, time in s, speed.
+export function onPlayback(call) {
+  playback = call;
+}
 
 /// Sets what is called when another run begins.
 export function onOtherRun(call) {

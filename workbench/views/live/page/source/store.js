@@ -2,7 +2,7 @@
 // The one store of what the robot sent: the frames of the last 10 minutes, what happened in them, and which instant the
 // panels show. Times are seconds of the robot.
 import { FRAME_SIZE, IMAGE_TOPICS, fit, sizeOf } from "./memory.js";
-import { readJson } from "./protocol.js";
+import { readJson, seconds } from "./protocol.js";
 
 export const TOPICS = [
   "/field",
@@ -28,6 +28,8 @@ export const TOPICS = [
 ];
 const LONGEST = 600; // s
 const BUDGET = 256e6; // bytes
+const GAP = 1; // s between two frames, in which the states are not known
+const FRAME = 1 / 30; // s
 const MOST_LINES = 5000; // of the log, and of events
 const PARSED = 48; // parsed messages that are kept
 const LASTING = new Set(["/field", "/parameters", "/camera/upper/calibration", "/camera/lower/calibration"]);
@@ -40,8 +42,6 @@ function binaryOf(base64) {
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   return bytes;
 }
-
-const seconds = (timestamp) => timestamp.sec + 1e-9 * timestamp.nsec;
 
 /// An entry of the timeline from a message of /events.
 export function eventOf(time, message) {
@@ -75,6 +75,7 @@ export class Store {
     this.dropped = 0; // times that the robot dropped messages because the connection is slow
     this.bad = 0; // messages that could not be read or drawn
     this.badText = "";
+    this.isReplay = false; // the time may go back, to frames that are then sent again
     this.isStill = false; // the run is paused, so that the newest frame is complete
     this.clear();
   }
@@ -90,6 +91,7 @@ export class Store {
     this.lasting = new Map(); // topic: message
     this.parsed = new Map();
     this.instant = null; // s; null: live
+    this.worldTime = null; // s, of the last message of /world
     this.droppedFrames = 0;
     this.onChange();
   }
@@ -115,8 +117,7 @@ export class Store {
       this.lasting.set(topic, readJson(payload));
       return;
     }
-    const last = this.frames.at(-1);
-    if (topic === "/world" && last && time < last.time - LONGEST) this.clear();
+    if (topic === "/world") this.beginFrame(time);
     if (topic === "/events") {
       this.addLine(this.events, eventOf(time, readJson(payload)));
       return;
@@ -146,6 +147,15 @@ export class Store {
     this.bound();
   }
 
+  /// Before the world of a frame: the time may have gone back, or frames may be missing.
+  beginFrame(time) {
+    const last = this.worldTime;
+    if (last !== null && this.isReplay && time < last) this.rewind(time);
+    else if (last !== null && time < this.newest - LONGEST) this.clear();
+    else if (last !== null && time - last > GAP) this.endBands(last + FRAME);
+    this.worldTime = time;
+  }
+
   takeWorld(frame, world) {
     const { pose = {}, confidence = {}, robot = {} } = world;
     frame.pose = { x: pose.x, y: pose.y, rotation: pose.rotation };
@@ -163,6 +173,11 @@ export class Store {
     if (band.at(-1)?.value !== value) band.push({ time, value });
   }
 
+  /// The states are not known from a time on.
+  endBands(time) {
+    for (const band of this.bands.values()) if (band.at(-1)?.value) band.push({ time, value: "" });
+  }
+
   addLine(list, line) {
     list.push(line);
     if (list.length > MOST_LINES) list.splice(0, MOST_LINES / 10);
@@ -177,6 +192,19 @@ export class Store {
     this.frames.splice(index + 1, 0, frame);
     this.size += FRAME_SIZE;
     return frame;
+  }
+
+  /// A replay continues at an earlier time: forgets what was received after it.
+  rewind(time) {
+    for (const frame of this.frames.splice(this.indexAt(time) + 1)) {
+      for (const part of Object.values(frame.parts)) this.size -= sizeOf(part);
+      this.size -= FRAME_SIZE;
+    }
+    const isBefore = (entry) => entry.time < time - MICROSECOND;
+    this.events = this.events.filter(isBefore);
+    this.log = this.log.filter(isBefore);
+    for (const band of this.bands.values()) while (band.length && !isBefore(band.at(-1))) band.pop();
+    if (this.instant !== null) this.instant = Math.min(this.instant, time);
   }
 
   bound() {

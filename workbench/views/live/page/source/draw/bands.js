@@ -57,6 +57,7 @@ export function drawBand(context, band, row, range, x, isDark, isStatus) {
     if (end <= from) break;
     const [left, right] = [x(Math.max(from, begin)), x(Math.min(to, end))];
     const { value } = band[i];
+    if (!value) continue; // not known
     context.fillStyle = isStatus ? themeColor(`${STATUS[value] ?? "gray"}-band`) : colorOf(value, isDark);
     context.fillRect(left, top, Math.max(1, right - left - 0.5), ROW - 2);
     if (right - left < 18) continue;

@@ -8,6 +8,7 @@ import { Canvas } from "../draw/canvas.jsx";
 import { themeColor } from "../draw/palette.js";
 import { GUTTER, RIGHT, columnsOf, confidencePlot, evidencePlot } from "../draw/plots.js";
 import { fixed, seconds } from "../format.js";
+import { RecordingBar } from "../replay.jsx";
 import { limits, store } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { missingOf } from "../store.js";
@@ -70,8 +71,8 @@ function Readout() {
     ["evidence", fixed(frame?.evidence, 1)],
     ["current", fixed(frame?.current, 2)],
     ["opposite", fixed(frame?.opposite, 2)],
-    ["status", state("status") ?? "–"],
-    ...machines().map((name) => [name.replaceAll("_", " "), state(name)]),
+    ["status", state("status") || "–"],
+    ...machines().map((name) => [name.replaceAll("_", " "), state(name) || "–"]),
   ];
   return (
     <span class="readout">
@@ -259,6 +260,7 @@ function Timeline() {
         </span>
         <Readout />
       </div>
+      <RecordingBar />
       <div class="tracks" ref={tracks} {...handlers}>
         <Plots bands={bands} />
         <div class="bands" style={{ height: `${bands}px` }}>
