@@ -165,7 +165,7 @@ function Area({ area }) {
     else movePanel(open.id, target);
   };
   return (
-    <section class="area" data-area={area} data-panel={open.id} aria-label={open.title}>
+    <section class="area" data-area={area} data-panel={open.id} aria-label={open.title} tabIndex={-1}>
       <div class="tabs" role="tablist">
         {all.map((panel) => (
           <button
@@ -223,7 +223,11 @@ export function App() {
   useEffect(followRun, []);
   useEffect(() => {
     const navigate = () => setAudience(isAudience());
-    const actions = { help: () => setHelp((shown) => !shown), close: () => setHelp(false), isAudience };
+    const close = () => {
+      setHelp(false);
+      document.querySelector(".menu")?.removeAttribute("open");
+    };
+    const actions = { help: () => setHelp((shown) => !shown), close, isAudience };
     const key = (event) => onKey(event, actions);
     const tick = setInterval(changed, 500); // durations on the page advance without messages
     addEventListener("hashchange", navigate);

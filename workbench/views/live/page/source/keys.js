@@ -48,6 +48,17 @@ function focusBox(find, attempts = 10) {
   if (isLater) requestAnimationFrame(() => focusBox(find, attempts - 1));
 }
 
+/// Opens a panel and gives it the focus, so that the next Tab goes to its first control.
+function enterPanel(id) {
+  openPanel(id);
+  const focus = (attempts) => {
+    const panel = document.querySelector(`[data-panel=${id}]`);
+    if (panel) panel.focus();
+    else if (attempts > 0) requestAnimationFrame(() => focus(attempts - 1));
+  };
+  focus(10);
+}
+
 const SEARCH = "input[type=search]";
 /// The box for a search of the panel with the focus, else the first one.
 const searchBox = () =>
@@ -97,7 +108,7 @@ export function onKey(event, actions) {
     "?": actions.help,
   };
   const handler = panel
-    ? () => openPanel(panel.id)
+    ? () => enterPanel(panel.id)
     : handlers[key];
   if (!handler || (actions.isAudience() && !AUDIENCE_KEYS.includes(key))) return;
   event.preventDefault();

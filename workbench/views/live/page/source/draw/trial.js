@@ -7,6 +7,7 @@ import { GUTTER, RIGHT } from "./plots.js";
 
 const MOST_MACHINES = 4;
 const APART = 13; // pixels between two labels
+const MARGIN = 6; // pixels above and below the axis, for half a label
 const DASHES = [6, 4];
 
 /// The machines whose states differ, the first difference first.
@@ -38,8 +39,9 @@ function drawCurve(context, times, values, x, y) {
 function drawEvidence(context, answer, limit, x, width, height) {
   const sizes = [answer.recorded, answer.tried].flatMap(({ evidence }) => evidence.map(Math.abs));
   const end = endOf(0, Math.max(...sizes, 0));
-  const y = (value) => height * (0.5 - 0.5 * positionOf(value, end));
-  for (const mark of marksOf(end, height, APART)) {
+  const long = height - 2 * MARGIN;
+  const y = (value) => MARGIN + long * (0.5 - 0.5 * positionOf(value, end));
+  for (const mark of marksOf(end, long, APART)) {
     context.fillStyle = themeColor("rule");
     context.fillRect(GUTTER, y(mark), width - GUTTER - RIGHT, 1);
     context.fillStyle = themeColor("soft");
@@ -47,7 +49,7 @@ function drawEvidence(context, answer, limit, x, width, height) {
     context.fillText(markText(mark), GUTTER - 6, y(mark));
   }
   context.fillStyle = themeColor("gray");
-  for (const tick of ticksOf(end, height)) context.fillRect(GUTTER - 3, y(tick), 3, 1);
+  for (const tick of ticksOf(end, long)) context.fillRect(GUTTER - 3, y(tick), 3, 1);
   drawLabel(context, "evidence", height / 2 - 7);
   drawLabel(context, "(log scale)", height / 2 + 7);
   context.lineWidth = 1;

@@ -179,7 +179,7 @@ export function EvidenceBar() {
           [limit.unconfirmed, -limit.unconfirmed].map((value) => (
             <u key={value} style={{ left: `${place(value)}%` }} />
           ))}
-        {known && <em class={evidence > 0 ? "red" : "blue"} style={{ left: `${place(evidence)}%` }} />}
+        {known && <em class={fixed(evidence, 1) === "0.0" ? "" : evidence > 0 ? "red" : "blue"} style={{ left: `${place(evidence)}%` }} />}
       </div>
       <span class="red">mirrored</span>
       <span class="value">
