@@ -3,7 +3,16 @@
 import { useState } from "preact/hooks";
 
 import { fixed } from "../format.js";
-import { act, canOperate, mirrorRobot, place, run, setInitialPose, whyNoOperator } from "../operator.js";
+import {
+  act,
+  canOperate,
+  mirrorRobot,
+  place,
+  placedPose,
+  run,
+  setInitialPose,
+  whyNoOperator,
+} from "../operator.js";
 import { canCall, isReplay, store } from "../robot.js";
 import { useChanges } from "../ticker.js";
 
@@ -74,7 +83,7 @@ function Place() {
           Set initial pose
         </button>
         {truth && (
-          <button class="link" type="button" onClick={() => setTexts(asTexts(truth))}>
+          <button class="link" type="button" onClick={() => setTexts(asTexts(placedPose() ?? store.shown()?.truth ?? truth))}>
             use the true pose
           </button>
         )}
