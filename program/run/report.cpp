@@ -41,6 +41,17 @@ nlohmann::json or_null(const std::optional<Value>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
+/// The periods of wrong belief. Empty if the belief was never wrong.
+std::string wrong_belief_in_words(const RunSummary& summary) {
+  if (!summary.belief_wrong_at) return {};
+  const std::string last = summary.corrected_after ? fmt::format("{:.1f} s, corrected after {:.1f} s",
+                                                                 *summary.belief_wrong_at, *summary.corrected_after)
+                                                   : fmt::format("{:.1f} s, not corrected", *summary.belief_wrong_at);
+  if (summary.wrong_periods < 2) return "belief wrong at " + last;
+  return fmt::format("belief wrong {} times, at most for {:.1f} s; last at {}", summary.wrong_periods,
+                     summary.longest_wrong, last);
+}
+
 /// The error of the camera's angles straight ahead. Empty if it is small or uncertain.
 std::string bias_in_words(const CameraBias& bias) {
   constexpr double kLeastReported = from_degrees(0.5), kSure = 3.0;  // multiple of the deviation
@@ -59,12 +70,7 @@ void print_summary(const RunSummary& summary, const RunCircumstances& circumstan
                                 : summary.error        ? "right"
                                                        : "not judged";
   out << fmt::format("\n{}: {}\n", judgement, as_line(summary.verdict));
-  if (summary.corrected_after) {
-    out << fmt::format("  belief wrong at {:.1f} s, corrected after {:.1f} s\n", *summary.belief_wrong_at,
-                       *summary.corrected_after);
-  } else if (summary.belief_wrong_at) {
-    out << fmt::format("  belief wrong at {:.1f} s, not corrected\n", *summary.belief_wrong_at);
-  }
+  if (const std::string periods = wrong_belief_in_words(summary); !periods.empty()) out << "  " << periods << '\n';
   if (summary.error) {
     out << fmt::format("  belief {} at the end: off by {:.2f} m, {:.1f} degrees\n",
                        summary.correct ? "correct" : "wrong", summary.error->position,
@@ -97,6 +103,8 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
       {"verdict", summary.verdict},
       {"belief_wrong_at_seconds", or_null(summary.belief_wrong_at)},
       {"corrected_after_seconds", or_null(summary.corrected_after)},
+      {"wrong_periods", summary.wrong_periods},
+      {"longest_wrong_seconds", summary.longest_wrong},
       {"position_error_meters", nullptr},
       {"rotation_error_degrees", nullptr},
       {"mean_position_error_meters", nullptr},

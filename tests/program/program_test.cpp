@@ -171,6 +171,8 @@ TEST(Program, WritesTheSummaryForPrograms) {
                           "verdict",
                           "belief_wrong_at_seconds",
                           "corrected_after_seconds",
+                          "wrong_periods",
+                          "longest_wrong_seconds",
                           "position_error_meters",
                           "rotation_error_degrees",
                           "flips",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/run/run_summary.h"
 
+#include <algorithm>
+
 namespace reorient {
 namespace {
 
@@ -96,8 +98,12 @@ void SummaryObserver::judge_belief(const FrameRecord& frame, const SceneTruth& s
   last_truth_ = truth.pose;
   if (!may_be_wrong_ || summary_.correct || world.posture == Posture::lifted || truth.carried) return;
   summary_.wrong_seconds += world.time_step;
-  if (!wrong_since_ || world.time - last_wrong_ >= kStaysCorrect) wrong_since_ = world.time;
+  if (!wrong_since_ || world.time - last_wrong_ >= kStaysCorrect) {
+    wrong_since_ = world.time;
+    ++summary_.wrong_periods;
+  }
   last_wrong_ = world.time;
+  summary_.longest_wrong = std::max(summary_.longest_wrong, last_wrong_ - *wrong_since_);
 }
 
 RunSummary SummaryObserver::summary(RunEnd end) const {

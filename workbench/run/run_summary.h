@@ -46,6 +46,8 @@ struct RunSummary {
   /// s, start of the last period of wrong belief after a correct one, or after the operator moved the robot.
   std::optional<double> belief_wrong_at;
   std::optional<double> corrected_after;  ///< s from then until it was correct and stayed correct
+  int wrong_periods = 0;                  ///< number of periods of wrong belief
+  double longest_wrong = 0.0;             ///< s, duration of the longest one
   double wrong_seconds = 0.0;             ///< total time with a wrong belief, except while the robot was lifted
   std::optional<PoseError> error;         ///< at the end
   std::optional<PoseError> mean_error;    ///< of correct beliefs, while the robot was upright

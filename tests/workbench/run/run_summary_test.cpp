@@ -124,6 +124,24 @@ TEST(Summary, ReportsTheLastTimeThatTheBeliefWasWrong) {
   EXPECT_NEAR(*run.summary().belief_wrong_at, 20.0, 1e-9);
 }
 
+TEST(Summary, CountsThePeriodsOfWrongBeliefAndReportsTheLongest) {
+  Told run;
+  run.believe(kTruth, 0.0, 10.0);
+  EXPECT_EQ(run.summary().wrong_periods, 0);
+  EXPECT_EQ(run.summary().longest_wrong, 0.0);
+  run.believe(reflect(kTruth), 10.0, 16.0);
+  run.believe(kTruth, 16.0, 30.0);
+  run.believe(reflect(kTruth), 30.0, 31.0);
+  run.believe(kTruth, 31.0, 32.0);  // part of the same period
+  run.believe(reflect(kTruth), 32.0, 33.0);
+  run.believe(kTruth, 33.0, 50.0);
+  const RunSummary summary = run.summary();
+  EXPECT_EQ(summary.wrong_periods, 2);
+  EXPECT_NEAR(summary.longest_wrong, 5.9, 0.11);
+  EXPECT_NEAR(*summary.belief_wrong_at, 30.0, 1e-9);
+  EXPECT_NEAR(*summary.corrected_after, 2.9, 0.11);
+}
+
 TEST(Summary, DoesNotJudgeTheBeliefWhileTheRobotIsCarried) {
   Told run;
   run.believe(kTruth, 0.0, 10.0);
