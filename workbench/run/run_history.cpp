@@ -9,10 +9,11 @@ namespace reorient {
 
 void RunHistory::observe(const FrameRecord& frame, const SceneTruth& scene) {
   const World& world = frame.world;
+  threshold_.observe(frame);
   if (frames_++ % stride_ == 0) {
     const Confidences& c = world.confidence;
-    points_.push_back(
-        {world.time, c.current, c.opposite, c.raw_current, c.raw_opposite, c.evidence, world.room_status});
+    points_.push_back({world.time, c.current, c.opposite, c.raw_current, c.raw_opposite, c.evidence, world.room_status,
+                       threshold_.value()});
   }
   if (points_.size() >= kMostPoints) {
     for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "workbench/run/decision_threshold.h"
 #include "workbench/run/observer.h"
 
 namespace reorient {
@@ -21,6 +22,7 @@ struct ConfidencePoint {
   double raw_opposite = 0.0;
   double evidence = 0.0;  ///< log-odds of the mirrored pose against the believed pose
   RoomStatus status = RoomStatus::resting;
+  double threshold = 0.0;  ///< log-odds at which an unconfirmed pose is decided; 0: unknown
 };
 
 /// The conditions whose intervals are stored.
@@ -52,7 +54,7 @@ struct ReorientationSnapshot {
 
 class RunHistory : public Observer {
  public:
-  Topics wanted() const override { return {Topic::pose_particles}; }
+  Topics wanted() const override { return {Topic::pose_particles, DecisionThreshold::kTopic}; }
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   const std::vector<ConfidencePoint>& points() const { return points_; }
@@ -75,6 +77,7 @@ class RunHistory : public Observer {
   void join_intervals();
   void keep_snapshot(const FrameRecord& frame, const SceneTruth& scene);
 
+  DecisionThreshold threshold_;
   std::vector<ConfidencePoint> points_;
   std::uint64_t frames_ = 0;
   std::uint64_t stride_ = 1;

@@ -86,7 +86,7 @@ TEST(ConfidencePlot, DrawsTheEvidenceOnItsSideAndTheStatusOfTheRoom) {
     sample.status = RoomStatus::usable;
   }
   const auto ink = [&](int from, int to) {
-    return count(draw_confidence_plot(plot), palette::goal_area, kLeft + 100, from, kRight - 100, to);
+    return count(draw_confidence_plot(plot), palette::evidence, kLeft + 100, from, kRight - 100, to);
   };
   EXPECT_GT(ink(kTopOfEvidence, kZero - 10), 1000) << "for the mirrored pose";
   EXPECT_EQ(ink(kZero + 10, kBottomOfEvidence), 0);
@@ -98,9 +98,53 @@ TEST(ConfidencePlot, DrawsTheEvidenceOnItsSideAndTheStatusOfTheRoom) {
   EXPECT_FALSE(is_similar(draw_confidence_plot(plot).at(kLeft + 100, kStatus), usable));
 }
 
+TEST(ConfidencePlot, DrawsTheThresholdsInTheColorsOfThePoses) {
+  constexpr int kZero = 681, kTopOfEvidence = 606, kBottomOfEvidence = 756;
+  ConfidencePlot plot = ten_seconds(0.8, 0.1);
+  const auto dashes = [&](Color color, int from, int to) {
+    return count(draw_confidence_plot(plot), color, kLeft + 100, from, kRight - 100, to);
+  };
+  EXPECT_EQ(dashes(palette::opposite, kTopOfEvidence, kZero), 0) << "the threshold is unknown";
+  for (ConfidencePoint& sample : plot.samples) sample.threshold = 5.5;
+  EXPECT_GT(dashes(palette::opposite, kTopOfEvidence, kZero), 300);
+  EXPECT_EQ(dashes(palette::opposite, kZero, kBottomOfEvidence), 0);
+  EXPECT_GT(dashes(palette::belief, kZero, kBottomOfEvidence), 300);
+  EXPECT_EQ(dashes(palette::belief, kTopOfEvidence, kZero), 0);
+}
+
+TEST(ConfidencePlot, FillsTheEvidenceInTheColorOfThePoseThatItSupports) {
+  constexpr int kAbove = 660, kBelow = 702, kX = kLeft + 500;
+  ConfidencePlot plot = ten_seconds(0.8, 0.1);
+  for (ConfidencePoint& sample : plot.samples) sample.evidence = 100.0;
+  const Color mirrored = draw_confidence_plot(plot).at(kX, kAbove);
+  EXPECT_GT(mirrored.red, mirrored.blue + 20);
+  for (ConfidencePoint& sample : plot.samples) sample.evidence = -100.0;
+  const Color believed = draw_confidence_plot(plot).at(kX, kBelow);
+  EXPECT_GT(believed.blue, believed.red + 20);
+}
+
+TEST(ConfidencePlot, HasNoLegendEntryWithoutItsObject) {
+  constexpr int kBottomOfLegend = 110;
+  const auto legend = [&](const ConfidencePlot& plot, Color color) {
+    return count(draw_confidence_plot(plot), color, 0, 70, 1500, kBottomOfLegend);
+  };
+  ConfidencePlot plot = ten_seconds(0.8, 0.1);
+  const int without = legend(plot, palette::ink);
+  for (ConfidencePoint& sample : plot.samples) sample.threshold = 5.5;
+  const int with_threshold = legend(plot, palette::ink);
+  EXPECT_GT(with_threshold, without);
+  plot.commands = {{2.5, "flip", false}};
+  const int with_refusal = legend(plot, palette::ink);
+  EXPECT_GT(with_refusal, with_threshold);
+  plot.commands.push_back({5.0, "flip", true});
+  EXPECT_GT(legend(plot, palette::ink), with_refusal);
+  EXPECT_GT(legend(plot, palette::faint_ink), 20) << "the dashes of the last entry: all entries fit";
+}
+
 TEST(ConfidencePlot, StaysWithinItsAxesForAnyValues) {
   ConfidencePlot plot = ten_seconds(1e30, -1e30);
-  plot.samples.push_back({kNaN, 0.5, 0.5, 0.5, 0.5});
+  plot.samples.push_back({kNaN, 0.5, 0.5, 0.5, 0.5, kNaN, RoomStatus::usable, kNaN});
+  plot.samples.push_back({5.0, 0.5, 0.5, 0.5, 0.5, 1e300, RoomStatus::usable, 1e300});
   plot.commands = {{kNaN, "flip", true}, {-1e300, "flip", true}, {1e300, std::string(5000, 'x'), true}};
   plot.conditions = {
       {RunCondition::down, kNaN, 3.0}, {RunCondition::down, 5.0, 2.0}, {RunCondition::down, -1e300, 1e300}};

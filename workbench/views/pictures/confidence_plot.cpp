@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "workbench/views/pictures/canvas/canvas.h"
+#include "workbench/views/pictures/parts/evidence_track.h"
 #include "workbench/views/pictures/parts/legend.h"
+#include "workbench/views/pictures/parts/status_color.h"
 
 namespace reorient::pictures {
 namespace {
@@ -16,11 +18,10 @@ namespace {
 constexpr int kPlotWidth = 1500;
 constexpr double kLeft = 196.0;  // space for the names of the lanes
 constexpr double kRight = kPlotWidth - 36.0;
-constexpr double kTop = 176.0;       // below title, legend and names of commands
-constexpr double kCurves = 400.0;    // height
-constexpr double kEvidence = 150.0;  // height
-constexpr double kEvidenceTop = kTop + kCurves + 30.0;
-constexpr double kLanesTop = kEvidenceTop + kEvidence + 16.0;
+constexpr double kTop = 176.0;     // below title, legend and names of commands
+constexpr double kCurves = 400.0;  // height
+constexpr EvidenceTrack kEvidence{kTop + kCurves + 30.0, 150.0};
+constexpr double kLanesTop = kEvidence.top + kEvidence.height + 16.0;
 constexpr double kLane = 28.0;
 constexpr int kLabelLanes = 2;
 constexpr double kRefusedApart = 5.0;  // pixels; refusals in successive frames are drawn as one
@@ -47,31 +48,6 @@ LaneStyle lane_style(RunCondition condition) {
   return {"", palette::cluster, false};
 }
 
-Color status_color(RoomStatus status) {
-  switch (status) {
-    case RoomStatus::usable:
-      return {64, 160, 92};
-    case RoomStatus::unlearned:
-    case RoomStatus::fresh:
-      return {240, 190, 70};
-    case RoomStatus::symmetric:
-    case RoomStatus::lost:
-      return palette::opposite;
-    case RoomStatus::off:
-    case RoomStatus::resting:
-      return palette::cluster;
-  }
-  return palette::cluster;
-}
-
-struct TimeAxis {
-  double first = 0.0;  // s
-  double last = 1.0;
-
-  double x(double time) const { return kLeft + (time - first) / (last - first) * (kRight - kLeft); }
-  bool contains(double time) const { return time >= first && time <= last; }
-};
-
 TimeAxis time_axis(const ConfidencePlot& plot) {
   double first = std::numeric_limits<double>::infinity();
   double last = -first;
@@ -88,8 +64,8 @@ TimeAxis time_axis(const ConfidencePlot& plot) {
       include(interval.to);
     }
   }
-  if (first > last) return {};
-  return {first, std::max(last, first + 1.0)};
+  if (first > last) return {0.0, 1.0, kLeft, kRight};
+  return {first, std::max(last, first + 1.0), kLeft, kRight};
 }
 
 // A step of 1, 2 or 5 times a power of ten, with at most `most` ticks.
@@ -103,23 +79,6 @@ double tick_step(double range, int most) {
 }
 
 double confidence_y(double confidence) { return kTop + (1.0 - std::clamp(confidence, -0.02, 1.02)) * kCurves; }
-
-/// Logarithmic at both ends, so that a decision is visible beside the evidence of a well-known room.
-double evidence_y(double evidence) {
-  constexpr double kLinear = 3.0, kMost = 300.0;  // log-odds
-  const double share = std::asinh(std::clamp(evidence, -kMost, kMost) / kLinear) / std::asinh(kMost / kLinear);
-  return kEvidenceTop + 0.5 * (1.0 - share) * kEvidence;
-}
-
-void draw_evidence_axis(Canvas& canvas) {
-  const TextStyle label{.size = 18.0, .color = palette::faint_ink, .align = Align::right};
-  for (const int evidence : {-100, -10, 0, 10, 100}) {
-    const double y = evidence_y(evidence);
-    canvas.line({kLeft, y}, {kRight, y}, evidence == 0 ? palette::faint_ink : palette::grid, 1.0);
-    canvas.text({kLeft - 10.0, y + 6.0}, std::to_string(evidence), label);
-  }
-  canvas.text({kLeft - 60.0, evidence_y(0.0) + 6.0}, "evidence", {.size = 20.0, .align = Align::right});
-}
 
 void draw_axes(Canvas& canvas, const TimeAxis& axis, double bottom) {
   const TextStyle label{.size = 18.0, .color = palette::faint_ink, .align = Align::right};
@@ -196,24 +155,12 @@ void draw_status(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plo
     while (next < samples.size() && samples[next].status == samples[i].status) ++next;
     const double left = axis.x(samples[i].time), right = axis.x(samples[std::min(next, samples.size() - 1)].time);
     if (!(right >= left)) continue;  // a time that is not a number
-    canvas.fill_box({left, kLanesTop + 2.0, std::max(right - left, 1.0), kLane - 8.0},
-                    status_color(samples[i].status).with_opacity(0.55));
+    canvas.fill_box({left, kLanesTop + 2.0, std::max(right - left, 1.0), kLane - 8.0}, status_color(samples[i].status));
     const TextStyle style{.size = 15.0, .align = Align::center};
     const std::string name(to_string(samples[i].status));
     if (Canvas::text_width(name, style) + 8.0 < right - left)
       canvas.text({(left + right) / 2.0, kLanesTop + 17.0}, name, style);
   }
-}
-
-void draw_curve(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double ConfidencePoint::*value,
-                double (*y_of)(double), Color color, double thickness) {
-  std::vector<Pixel> points;
-  points.reserve(plot.samples.size());
-  for (const ConfidencePoint& sample : plot.samples) {
-    const double y = sample.*value;  // clamping would hide a NaN
-    points.emplace_back(axis.x(sample.time), std::isfinite(y) ? y_of(y) : y);
-  }
-  canvas.polyline(points, color, thickness);
 }
 
 void draw_commands(Canvas& canvas, const TimeAxis& axis, const ConfidencePlot& plot, double bottom) {
@@ -263,15 +210,17 @@ std::vector<LegendEntry> entries(const ConfidencePlot& plot) {
   };
   std::vector<LegendEntry> list;
   if (!plot.samples.empty()) {
-    list.push_back({curves(palette::belief), "current pose (bold: smoothed, pale: raw)"});
-    list.push_back({curves(palette::opposite), "opposite pose"});
-    list.push_back(line_entry(palette::goal_area, 3.0, "evidence (log-odds of the mirrored pose)"));
+    list.push_back({curves(palette::belief), "believed pose (pale: raw)"});
+    list.push_back({curves(palette::opposite), "mirrored pose"});
+    list.push_back(line_entry(palette::evidence, 3.0, "evidence (log-odds)"));
   }
+  if (has_threshold(plot.samples)) list.push_back(threshold_entry());
   const auto dashed = [](Canvas& canvas, const Pixel& center) {
     canvas.dashed_line(center - Pixel(16.0, 0.0), center + Pixel(16.0, 0.0), palette::faint_ink, 1.5, 6.0);
   };
   const auto refused = [](const CommandMark& mark) { return !mark.granted; };
-  if (!plot.commands.empty()) list.push_back(line_entry(palette::ink, 2.0, "command"));
+  if (!std::all_of(plot.commands.begin(), plot.commands.end(), refused))
+    list.push_back(line_entry(palette::ink, 2.0, "command"));
   if (std::any_of(plot.commands.begin(), plot.commands.end(), refused)) list.push_back({dashed, "refused"});
   return list;
 }
@@ -295,23 +244,21 @@ Picture draw_confidence_plot(const ConfidencePlot& plot) {
               {.size = 28.0, .bold = true});
   draw_legend_rows(canvas, {32.0, 74.0, kPlotWidth - 64.0, 34.0}, entries(plot));
   draw_axes(canvas, axis, bottom);
-  draw_evidence_axis(canvas);
+  draw_evidence_axis(canvas, axis, kEvidence);
   shade_curves(canvas, axis, plot);
   draw_status(canvas, axis, plot);
   draw_lanes(canvas, axis, plot, lanes);
   const Box curves{kLeft, kTop - 12.0, kRight - kLeft + 2.0, kCurves + 24.0};
   canvas.within(curves, [&] {
-    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_opposite, confidence_y, palette::opposite.with_opacity(0.3),
-               1.0);
-    draw_curve(canvas, axis, plot, &ConfidencePoint::raw_current, confidence_y, palette::belief.with_opacity(0.3), 1.0);
-    draw_curve(canvas, axis, plot, &ConfidencePoint::opposite, confidence_y, palette::opposite, 3.5);
-    draw_curve(canvas, axis, plot, &ConfidencePoint::current, confidence_y, palette::belief, 3.5);
+    draw_curve(canvas, axis, plot.samples, &ConfidencePoint::raw_opposite, confidence_y,
+               palette::opposite.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot.samples, &ConfidencePoint::raw_current, confidence_y,
+               palette::belief.with_opacity(0.3), 1.0);
+    draw_curve(canvas, axis, plot.samples, &ConfidencePoint::opposite, confidence_y, palette::opposite, 3.5);
+    draw_curve(canvas, axis, plot.samples, &ConfidencePoint::current, confidence_y, palette::belief, 3.5);
   });
-  const Box evidence{kLeft, kEvidenceTop, kRight - kLeft + 2.0, kEvidence};
-  canvas.within(evidence, [&] {
-    draw_curve(canvas, axis, plot, &ConfidencePoint::evidence, evidence_y, palette::goal_area, 3.0);
-  });
-  draw_commands(canvas, axis, plot, kEvidenceTop + kEvidence);
+  draw_evidence(canvas, axis, kEvidence, plot.samples);
+  draw_commands(canvas, axis, plot, kEvidence.top + kEvidence.height);
   return canvas.finish();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The confidences in the current and in the opposite pose over time (the paper's Fig. 4c), and the evidence and the
-// status of the room, on which behaviors decide.
+// The confidences in the believed and in the mirrored pose over time (the paper's Fig. 4c), and what behaviors decide
+// on: the evidence, its threshold, and the status of the room.
 #pragma once
 
 #include <string>

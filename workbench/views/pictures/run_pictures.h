@@ -22,7 +22,7 @@ class RunPictures : public Observer {
  public:
   explicit RunPictures(PicturedMoment pictured = PicturedMoment::first_reorientation) : pictured_(pictured) {}
 
-  Topics wanted() const override { return {Topic::images, Topic::pose_particles, Topic::room}; }
+  Topics wanted() const override { return history_.wanted() | Topics{Topic::images, Topic::room}; }
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
   void finish(const FrameRecord& last, const SceneTruth& scene) override;
 

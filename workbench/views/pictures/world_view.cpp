@@ -188,8 +188,8 @@ std::vector<LegendEntry> entries(const WorldView& world, std::span<const scene::
                     "their clusters"});
   }
   if (world.view_azimuth) {
-    list.push_back(patch_entry(palette::belief.with_opacity(0.35), "current view"));
-    list.push_back(patch_entry(palette::opposite.with_opacity(0.35), "opposite view"));
+    list.push_back(patch_entry(palette::belief.with_opacity(0.35), "believed view"));
+    list.push_back(patch_entry(palette::opposite.with_opacity(0.35), "view if mirrored"));
   }
   if (world.goal_area_half_width > 0.0) list.push_back(patch_entry(palette::goal_area, "goal view areas"));
   return list;

@@ -47,6 +47,7 @@ inline constexpr Color opposite{212, 48, 52};
 inline constexpr Color pose_particle{44, 50, 58, 0.62};
 inline constexpr Color view_particle{224, 0, 168};
 inline constexpr Color cluster{120, 126, 134};
+inline constexpr Color evidence{96, 104, 116};  ///< line of the evidence; the areas below it are belief and opposite
 inline constexpr Color goal_area{0, 150, 136};
 inline constexpr Color unknown_tile{128, 128, 128, 0.15};
 inline constexpr Color no_evidence{190, 195, 201};  ///< of a tile that supports neither pose
@@ -59,6 +60,11 @@ inline constexpr Color boundary{255, 225, 40};
 inline constexpr Color horizon{190, 120, 255};
 inline constexpr Color expected{255, 64, 64, 0.9};  ///< prediction of the believed pose in the image
 inline constexpr Color tile_outline{255, 255, 255, 0.9};
+
+// Bands that show the status of the room over time, behind dark text.
+inline constexpr Color usable_band{191, 229, 204};     ///< the confidences count
+inline constexpr Color undecided_band{247, 223, 164};  ///< the room is evaluated, but the confidences do not count
+inline constexpr Color idle_band{220, 223, 227};       ///< the room is not evaluated
 
 }  // namespace palette
 }  // namespace reorient::scene
