@@ -23,7 +23,7 @@ ordered_json value_or_null(const std::optional<Value>& value) {
 
 ordered_json confidences_as_json(const std::vector<ConfidenceSample>& samples) {
   ordered_json json;
-  for (const char* name : {"time_s", "current", "opposite", "evidence", "status", "correct", "reflected"})
+  for (const char* name : {"time_s", "current", "opposite", "evidence", "status", "correct", "reflected", "threshold"})
     json[name] = ordered_json::array();
   for (const ConfidenceSample& sample : samples) {
     json["time_s"].push_back(sample.time);
@@ -33,6 +33,7 @@ ordered_json confidences_as_json(const std::vector<ConfidenceSample>& samples) {
     json["status"].push_back(to_string(sample.status));
     json["correct"].push_back(sample.correct);
     json["reflected"].push_back(sample.reflected);
+    json["threshold"].push_back(sample.threshold);
   }
   return json;
 }

@@ -91,6 +91,22 @@ TEST(Plot, CutsOffWhatLiesBeyondItsAxes) {
   EXPECT_NE(out.str().find("points=\"46.0,91.0 188.0,12.0 330.0,91.0\""), std::string::npos) << out.str();
 }
 
+TEST(Scale, IsLogarithmicAtBothEndsAndLinearAroundZero) {
+  const Scale scale{-300.0, 300.0, 0.0, 100.0, false, 3.0};
+  EXPECT_NEAR(scale(0.0), 50.0, 1e-9);
+  EXPECT_NEAR(scale(-300.0), 0.0, 1e-9);
+  EXPECT_NEAR(scale(300.0), 100.0, 1e-9);
+  EXPECT_NEAR(scale(20.0) + scale(-20.0), 100.0, 1e-9);
+  EXPECT_GT(scale(5.5) - scale(0.0), 10.0) << "a decision is visible beside much evidence";
+  EXPECT_NEAR(scale(0.2) - scale(0.0), 2.0 * (scale(0.1) - scale(0.0)), 0.01);
+}
+
+TEST(SignedTicks, ArePowersOfTenWithinTheBounds) {
+  EXPECT_EQ(signed_ticks(-150.0, 150.0), (std::vector<double>{-100.0, -10.0, 0.0, 10.0, 100.0}));
+  EXPECT_EQ(signed_ticks(-5.0, 15.0), (std::vector<double>{0.0, 10.0}));
+  EXPECT_EQ(signed_ticks(-1.0, 1.0), (std::vector<double>{0.0}));
+}
+
 TEST(Plot, HoldsAValueUntilTheNextStep) {
   const std::vector<PlotPoint> steps = as_steps({{0.0, 0.0}, {2.0, 0.5}}, 9.0);
   ASSERT_EQ(steps.size(), 4U);

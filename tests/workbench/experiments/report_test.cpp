@@ -37,7 +37,7 @@ TrialResult shown_result(std::uint64_t seed, bool is_disturbed) {
     const bool correct = trial.right_after && time >= *trial.right_after;
     const double evidence = (correct ? -1.0 : 1.0) * random.uniform(-1.0, 9.0);
     trial.confidences.push_back(
-        {time, correct ? 0.8 : 0.3, correct ? 0.1 : 0.6, evidence, RoomStatus::usable, correct, !correct});
+        {time, correct ? 0.8 : 0.3, correct ? 0.1 : 0.6, evidence, RoomStatus::usable, correct, !correct, 5.5});
   }
   return trial;
 }
@@ -72,6 +72,47 @@ TEST(ReportPage, IsWellFormedAndHasItsFiguresAndTables) {
     EXPECT_TRUE(has(page, std::string("<strong>") + role)) << role;
   EXPECT_TRUE(has(page, "<code>reorient again halls10</code>")) << "the failed trial's own command";
   EXPECT_EQ(std::count(page.begin(), page.end(), '\r'), 0);
+}
+
+/// How often a text contains a part.
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(ReportPage, DrawsWhatTheBehaviorsDecideOnForEachTrialThatItShows) {
+  Report report = report_with("halls", 12);
+  const std::string page = report_page(report);
+  const int panels = count_of(page, "trial: evidence and status of the room");
+  EXPECT_EQ(panels, count_of(page, "<strong>"));
+  EXPECT_EQ(count_of(page, "<polyline class=\"line evidence\""), panels);
+  EXPECT_EQ(count_of(page, "<polyline class=\"line limit mirrored\""), panels);
+  EXPECT_EQ(count_of(page, "<polyline class=\"line limit believed\""), panels);
+  EXPECT_EQ(count_of(page, "<rect class=\"usable\" x="), panels) << "one interval each";
+}
+
+TEST(ReportPage, HasNoLegendEntryWithoutItsObject) {
+  Report report = report_with("halls", 12);
+  const std::string page = report_page(report);
+  EXPECT_TRUE(has(page, "room: usable"));
+  EXPECT_FALSE(has(page, "room: fresh"));
+  EXPECT_TRUE(has(page, "threshold of"));
+  EXPECT_TRUE(has(page, "the belief is wrong</li>"));
+  for (CellResults& cell : report.cells) {
+    for (TrialResult& trial : cell.trials) {
+      for (ConfidenceSample& sample : trial.confidences) {
+        sample.threshold = 0.0;
+        sample.correct = true;
+      }
+      if (!trial.confidences.empty()) trial.confidences[0].status = RoomStatus::fresh;
+      if (!trial.confidences.empty()) trial.confidences[1].status = RoomStatus::lost;
+    }
+  }
+  const std::string other = report_page(report);
+  EXPECT_TRUE(has(other, "room: lost, fresh"));
+  EXPECT_FALSE(has(other, "threshold of"));
+  EXPECT_FALSE(has(other, "the belief is wrong</li>"));
 }
 
 TEST(ReportPage, NeedsNoNetworkAndNoScript) {

@@ -9,7 +9,7 @@ namespace reorient {
 namespace {
 
 // Pixels, as all lengths here.
-constexpr double kPlotWidth = 340.0, kPlotHeight = 210.0, kSquareHeight = 340.0;
+constexpr double kPlotWidth = 340.0, kPlotHeight = 210.0, kSquareHeight = 340.0, kLowHeight = 150.0;
 constexpr double kLeft = 46.0, kRight = 10.0, kTop = 12.0, kBottom = 40.0;
 
 std::string px(double length) { return fixed(length, 1); }
@@ -18,23 +18,28 @@ std::string tick_text(double tick, const PlotAxis& axis, int digits) {
   return axis.percent ? fixed(100.0 * tick, 0) : fixed(tick, digits);
 }
 
+double height_of(PlotShape shape) {
+  return shape == PlotShape::square ? kSquareHeight : shape == PlotShape::low ? kLowHeight : kPlotHeight;
+}
+
 }  // namespace
 
 std::vector<double> ticks(const PlotAxis& axis) {
+  if (axis.linear > 0.0) return signed_ticks(axis.low, axis.high);
   return axis.logarithmic ? logarithmic_ticks(axis.low, axis.high) : ticks(axis.low, axis.high, axis.ticks);
 }
 
-Plot::Plot(Markup& out, std::string_view description, const PlotAxis& x, const PlotAxis& y, bool square)
+Plot::Plot(Markup& out, std::string_view description, const PlotAxis& x, const PlotAxis& y, PlotShape shape)
     : out_(out),
       width_(kPlotWidth),
-      height_(square ? kSquareHeight : kPlotHeight),
+      height_(height_of(shape)),
       svg_(out, "svg",
            {{"viewBox", "0 0 " + px(width_) + " " + px(height_)},
             {"class", "plot"},
             {"role", "img"},
             {"aria-label", description}}),
-      x_{x.low, x.high, kLeft, width_ - kRight, x.logarithmic},
-      y_{y.low, y.high, height_ - kBottom, kTop, y.logarithmic} {
+      x_{x.low, x.high, kLeft, width_ - kRight, x.logarithmic, x.linear},
+      y_{y.low, y.high, height_ - kBottom, kTop, y.logarithmic, y.linear} {
   draw_axes(x, y);
 }
 
@@ -92,10 +97,21 @@ void Plot::stretch(double from, double to, std::string_view style) {
                        {"height", px(y_.begin - y_.end)}});
 }
 
+void Plot::bar(double from, double to, std::string_view style) {
+  constexpr double kHeight = 7.0;
+  const double begin = place({from, 0.0}).x, end = place({to, 0.0}).x;
+  out_.single("rect", {{"class", style},
+                       {"x", px(begin)},
+                       {"y", px((kTop - kHeight) / 2.0)},
+                       {"width", px(std::max(0.0, end - begin))},
+                       {"height", px(kHeight)}});
+}
+
 void Plot::moment(double x, std::string_view word) {
   const double at = place({x, 0.0}).x;
   const bool is_late = at > 0.75 * width_;
   out_.single("line", {{"class", "moment"}, {"x1", px(at)}, {"x2", px(at)}, {"y1", px(y_.begin)}, {"y2", px(y_.end)}});
+  if (word.empty()) return;
   out_.leaf(
       "text", word,
       {{"class", is_late ? "tick end" : "tick"}, {"x", px(at + (is_late ? -4.0 : 4.0))}, {"y", px(y_.end + 9.0)}});

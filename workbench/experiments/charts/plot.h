@@ -19,7 +19,10 @@ struct PlotAxis {
   int ticks = 5;             ///< approximate number
   bool percent = false;      ///< numbers are fractions, shown in %
   bool logarithmic = false;  ///< both bounds above 0
+  double linear = 0.0;       ///< as that of Scale, with bounds on both sides of 0
 };
+
+enum class PlotShape { wide, square, low };
 
 /// The ticks of an axis.
 std::vector<double> ticks(const PlotAxis& axis);
@@ -33,14 +36,17 @@ struct PlotPoint {
 class Plot {
  public:
   /// `description`: alternative text for screen readers.
-  Plot(Markup& out, std::string_view description, const PlotAxis& x, const PlotAxis& y, bool square = false);
+  Plot(Markup& out, std::string_view description, const PlotAxis& x, const PlotAxis& y,
+       PlotShape shape = PlotShape::wide);
 
   void line(const std::vector<PlotPoint>& points, std::string_view style);
   /// The area between two lines with the same number of points.
   void band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high, std::string_view style);
   /// An interval of the abscissa, over the whole height.
   void stretch(double from, double to, std::string_view style);
-  /// A vertical line with a word at its top.
+  /// An interval of the abscissa, as a bar above the axes.
+  void bar(double from, double to, std::string_view style);
+  /// A vertical line with a word at its top; without a word only the line.
   void moment(double x, std::string_view word);
   /// A short stroke across the end of a line: the curve is unknown beyond it.
   void end_mark(const PlotPoint& point, std::string_view style);

@@ -11,6 +11,11 @@ namespace {
 
 constexpr double kSlack = 1e-9;  // of a step: bounds that are ticks except for rounding
 
+double inverse_sinh(double value) {
+  const double size = std::abs(value);
+  return std::copysign(pinned::log(size + std::sqrt(size * size + 1.0)), value);
+}
+
 double step_of(double span, int wanted) {
   const double rough = span / std::max(1, wanted);
   const double power = pinned::pow(10.0, std::floor(pinned::log10(rough)));
@@ -23,8 +28,9 @@ double step_of(double span, int wanted) {
 }  // namespace
 
 double Scale::operator()(double number) const {
-  const double share =
-      logarithmic ? pinned::log(number / low) / pinned::log(high / low) : (number - low) / (high - low);
+  const auto bent = [this](double value) { return linear > 0.0 ? inverse_sinh(value / linear) : value; };
+  const double share = logarithmic ? pinned::log(number / low) / pinned::log(high / low)
+                                   : (bent(number) - bent(low)) / (bent(high) - bent(low));
   return begin + share * (end - begin);
 }
 
@@ -46,6 +52,15 @@ std::vector<double> logarithmic_ticks(double low, double high) {
       const double tick = step * power;
       if (tick >= low * (1.0 - kSlack) && tick <= high * (1.0 + kSlack)) all.push_back(tick);
     }
+  }
+  return all;
+}
+
+std::vector<double> signed_ticks(double low, double high) {
+  std::vector<double> all{0.0};
+  for (double power = 10.0; power <= std::max(-low, high); power *= 10.0) {
+    if (power <= high) all.push_back(power);
+    if (-power >= low) all.insert(all.begin(), -power);
   }
   return all;
 }

@@ -24,7 +24,7 @@ void draw_panel(Markup& out, std::span<const CompassRow> rows, const std::string
   }
   {
     Plot plot(out, "ROC curves: " + reading, {"false alarms, % of right poses", 0.0, 1.0, 5, true},
-              {"detected, % of mirrored poses", 0.0, 1.0, 5, true}, true);
+              {"detected, % of mirrored poses", 0.0, 1.0, 5, true}, PlotShape::square);
     plot.line({{0.0, 0.0}, {1.0, 1.0}}, "chance");
     for (const CompassRow& row : rows) plot.line(as_points(row.figures[time].curve), series[row.method].style);
   }

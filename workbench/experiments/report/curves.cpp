@@ -180,7 +180,7 @@ void draw_reliability(Markup& out, const Report& report) {
       }
       {
         Plot plot(out, "reliability: " + reading, {"probability by the evidence, %", 0.5, 1.0, 5, true},
-                  {"right, %", 0.5, 1.0, 5, true}, true);
+                  {"right, %", 0.5, 1.0, 5, true}, PlotShape::square);
         plot.line({{0.5, 0.5}, {1.0, 1.0}}, "chance");
         for (const auto& [style, points] : lines) plot.line(points, style);
       }
@@ -223,7 +223,7 @@ void draw_roc(Markup& out, const Report& report) {
       for (const Series& one : picture) reading += (reading.empty() ? "" : "; ") + curves[one.name].reading;
       {
         Plot plot(out, "ROC curves: " + reading, {"false alarms, % of right beliefs", 0.0, 1.0, 5, true},
-                  {"detected, % of wrong beliefs", 0.0, 1.0, 5, true}, true);
+                  {"detected, % of wrong beliefs", 0.0, 1.0, 5, true}, PlotShape::square);
         plot.line({{0.0, 0.0}, {1.0, 1.0}}, "chance");
         for (const Series& one : picture) {
           const std::vector<RocPoint>& points = curves[one.name].points;

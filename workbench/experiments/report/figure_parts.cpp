@@ -4,23 +4,27 @@
 
 namespace reorient {
 
-void draw_legend(Markup& out, const std::vector<Series>& series, bool wrong) {
+void draw_entries(Markup& out, const std::vector<LegendEntry>& entries) {
   const Element list(out, "ul", {{"class", "legend"}});
-  for (const Series& one : series) {
+  for (const LegendEntry& entry : entries) {
     const Element item(out, "li");
     {
       const Element swatch(out, "svg", {{"viewBox", "0 0 30 10"}, {"class", "swatch"}, {"aria-hidden", "true"}});
-      out.single("line", {{"class", "line " + one.style}, {"x1", "1"}, {"x2", "29"}, {"y1", "5"}, {"y2", "5"}});
+      if (entry.is_area) {
+        out.single("rect", {{"class", entry.style}, {"width", "30"}, {"height", "10"}});
+      } else {
+        out.single("line", {{"class", "line " + entry.style}, {"x1", "1"}, {"x2", "29"}, {"y1", "5"}, {"y2", "5"}});
+      }
     }
-    out.text(one.name);
+    out.text(entry.name);
   }
-  if (!wrong) return;
-  const Element item(out, "li");
-  {
-    const Element swatch(out, "svg", {{"viewBox", "0 0 30 10"}, {"class", "swatch"}, {"aria-hidden", "true"}});
-    out.single("rect", {{"class", "wrong"}, {"width", "30"}, {"height", "10"}});
-  }
-  out.text("the belief is wrong");
+}
+
+void draw_legend(Markup& out, const std::vector<Series>& series) {
+  std::vector<LegendEntry> entries;
+  entries.reserve(series.size());
+  for (const Series& one : series) entries.push_back({one.name, one.style});
+  draw_entries(out, entries);
 }
 
 void draw_caption(Markup& out, const Report& report, std::string_view caption) {

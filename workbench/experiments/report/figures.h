@@ -2,6 +2,10 @@
 // The figures of a report, each with title, explanation and provenance.
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "workbench/experiments/charts/markup.h"
 #include "workbench/experiments/report/report.h"
 
@@ -28,13 +32,19 @@ void draw_reliability(Markup& out, const Report& report);
 /// them.
 void draw_compasses(Markup& out, const Report& report);
 
-/// The confidences of the best, the median, the worst and the failed trials of each series.
+/// The confidences and the evidence of the best, the median, the worst and the failed trials of each series.
 void draw_confidences(Markup& out, const Report& report);
 
 // Parts that the figures share.
 
-/// Color, dash and name of each series; `wrong`: also of periods in which the belief is wrong.
-void draw_legend(Markup& out, const std::vector<Series>& series, bool wrong = false);
+struct LegendEntry {
+  std::string name;
+  std::string style;     ///< class of its color and dash
+  bool is_area = false;  ///< false: a line
+};
+void draw_entries(Markup& out, const std::vector<LegendEntry>& entries);
+/// Color, dash and name of each series.
+void draw_legend(Markup& out, const std::vector<Series>& series);
 /// The end of a figure: its caption, and a line with the provenance.
 void draw_caption(Markup& out, const Report& report, std::string_view caption);
 

@@ -36,6 +36,7 @@ void TrialObserver::watch_carrying(const SceneTruth& scene) {
 
 void TrialObserver::observe(const FrameRecord& frame, const SceneTruth& scene) {
   watch_carrying(scene);
+  threshold_.observe(frame);
   const World& world = frame.world;
   const bool is_held = !scene.truth || scene.truth->carried;
   const bool correct = !is_held && is_correct(world.pose.pose, scene.truth->pose);
@@ -93,7 +94,7 @@ void TrialObserver::judge_reorientation(const ReorientationRecord& record, const
 void TrialObserver::sample(const World& world, bool correct, bool reflected, double time) {
   if (!result_.confidences.empty() && time + kTolerance < result_.confidences.back().time + kBetweenSamples) return;
   result_.confidences.push_back({time, world.confidence.current, world.confidence.opposite, world.confidence.evidence,
-                                 world.room_status, correct, reflected});
+                                 world.room_status, correct, reflected, threshold_.value()});
 }
 
 bool TrialObserver::is_over() const {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "workbench/experiments/trial/trial_result.h"
+#include "workbench/run/decision_threshold.h"
 #include "workbench/run/observer.h"
 
 namespace reorient {
@@ -30,6 +31,7 @@ class TrialObserver : public Observer {
     result_.symmetric_room = measurement_.symmetric_room;
   }
 
+  Topics wanted() const override { return {DecisionThreshold::kTopic}; }
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
   /// Whether the measurement is complete.
@@ -46,6 +48,7 @@ class TrialObserver : public Observer {
 
   Measurement measurement_;
   TrialResult result_;
+  DecisionThreshold threshold_;
   double started_at_ = 0.0;  ///< s of the robot's time
   std::optional<Pose2> picked_up_at_;
   bool is_start_judged_ = false;

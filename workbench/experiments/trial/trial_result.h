@@ -22,6 +22,7 @@ struct ConfidenceSample {
   RoomStatus status = RoomStatus::resting;
   bool correct = false;    ///< the belief
   bool reflected = false;  ///< it is the reflection of a correct one
+  double threshold = 0.0;  ///< of the evidence, for an unconfirmed pose; 0: no behavior has one
 };
 /// Visits its values in a fixed order, for reading and writing.
 template <typename Visit, typename Sample>
@@ -33,6 +34,7 @@ void visit_values(Visit&& visit, Sample& sample) {
   visit(sample.status);
   visit(sample.correct);
   visit(sample.reflected);
+  visit(sample.threshold);
 }
 
 /// All times are in s since the trial's clock started: its scenario entered the state from which a condition measures.
