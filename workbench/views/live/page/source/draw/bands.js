@@ -2,7 +2,7 @@
 // The lower tracks of the timeline: states as bands with their names, marks of commands, edits and notes, and the time
 // axis.
 import { GUTTER, RIGHT } from "./plots.js";
-import { themeColor } from "./palette.js";
+import { statusBands, themeColor } from "./palette.js";
 
 export const ROW = 17; // pixels
 export const AXIS = 19;
@@ -10,7 +10,6 @@ export const FONT = "11px system-ui, sans-serif";
 const HUES = [212, 160, 32, 276, 338, 96, 190, 250, 12, 60];
 const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300];
 const REORIENTATIONS = ["flip_pose", "purge_reflection", "reset_orientation"];
-const STATUS = { usable: "good", lost: "amber", fresh: "amber", unlearned: "blue" };
 
 const hues = new Map(); // name of a state: index of its hue
 
@@ -58,7 +57,7 @@ export function drawBand(context, band, row, range, x, isDark, isStatus) {
     const [left, right] = [x(Math.max(from, begin)), x(Math.min(to, end))];
     const { value } = band[i];
     if (!value) continue; // not known
-    context.fillStyle = isStatus ? themeColor(`${STATUS[value] ?? "gray"}-band`) : colorOf(value, isDark);
+    context.fillStyle = isStatus ? themeColor(statusBands[value] ?? "gray-band") : colorOf(value, isDark);
     context.fillRect(left, top, Math.max(1, right - left - 0.5), ROW - 2);
     if (right - left < 18) continue;
     context.fillStyle = themeColor("ink");

@@ -12,6 +12,18 @@ export const palette = {
   noEvidence: "#bec3c9",
 };
 
+/// The color of the style sheet for each status of the room: whether the confidences count, do not count, or do not
+/// exist.
+export const statusBands = {
+  usable: "good-band",
+  unlearned: "amber-band",
+  symmetric: "amber-band",
+  lost: "amber-band",
+  fresh: "amber-band",
+  off: "gray-band",
+  resting: "gray-band",
+};
+
 /// The color of a message: components from 0 to 1.
 export function css({ r, g, b, a }) {
   return `rgba(${Math.round(255 * r)}, ${Math.round(255 * g)}, ${Math.round(255 * b)}, ${a})`;

@@ -60,8 +60,8 @@ function drawLimits(plot, limit) {
   context.setLineDash([5, 4]);
   context.lineWidth = devicePixelRatio;
   for (const [value, color] of [
-    [limit.unconfirmed, "red"],
-    [-limit.unconfirmed, "blue"],
+    [limit.unconfirmed, "mirrored"],
+    [-limit.unconfirmed, "belief"],
   ]) {
     const y = plot.valToPos(value, "y", true);
     context.strokeStyle = themeColor(color);
@@ -99,7 +99,7 @@ export function evidencePlot(element, width, height, range, limits) {
     {},
     { fill: themeColor("red-soft"), stroke: "transparent", points: { show: false } },
     { fill: themeColor("blue-soft"), stroke: "transparent", points: { show: false } },
-    { stroke: themeColor("ink"), width: 1.5, points: { show: false } },
+    { stroke: themeColor("evidence"), width: 1.5, points: { show: false } },
   ];
   for (const series of options.series.slice(1, 3)) series.fillTo = 0;
   options.hooks.draw.push(drawTicks, (plot) => drawLimits(plot, limits()));
@@ -111,8 +111,8 @@ export function confidencePlot(element, width, height, range) {
   options.scales.y = { range: [-0.04, 1.04] };
   options.series = [
     {},
-    { stroke: themeColor("red"), width: 1.75, points: { show: false } },
-    { stroke: themeColor("blue"), width: 1.75, points: { show: false } },
+    { stroke: themeColor("mirrored"), width: 1.75, points: { show: false } },
+    { stroke: themeColor("belief"), width: 1.75, points: { show: false } },
   ];
   return new uPlot(options, [[], [], []], element);
 }

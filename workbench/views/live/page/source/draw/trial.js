@@ -54,13 +54,13 @@ function drawEvidence(context, answer, limit, x, width, height) {
   drawLabel(context, "(log scale)", height / 2 + 7);
   context.lineWidth = 1;
   context.setLineDash([2, 3]);
-  for (const [value, color] of limit ? [[limit.unconfirmed, "red"], [-limit.unconfirmed, "blue"]] : []) {
+  for (const [value, color] of limit ? [[limit.unconfirmed, "mirrored"], [-limit.unconfirmed, "belief"]] : []) {
     context.strokeStyle = themeColor(color);
     drawCurve(context, [answer.from, answer.to], [value, value], x, y);
   }
   context.setLineDash([]);
   context.lineWidth = 2;
-  context.strokeStyle = themeColor("ink");
+  context.strokeStyle = themeColor("evidence");
   drawCurve(context, answer.time, answer.recorded.evidence, x, y);
   context.strokeStyle = themeColor("amber");
   context.setLineDash(DASHES);

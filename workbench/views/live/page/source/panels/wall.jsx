@@ -98,7 +98,7 @@ function drawStrip(context, scene, evidence, frame, width, height) {
   const seen = at(sightOnWall(frame.pose, frame.headYaw, radius));
   const other = at(sightOnWall(mirrored(frame.pose), frame.headYaw, radius));
   const views = [
-    { u: other, color: themeColor("red"), name: "view if mirrored" },
+    { u: other, color: themeColor("mirrored"), name: "view if mirrored" },
     { u: seen, color: themeColor("belief"), name: "believed view" },
   ];
   drawMarkers(context, views, above, base, width);
