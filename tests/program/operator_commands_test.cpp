@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The operator and the pace of a run, at the prompt.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -49,6 +50,14 @@ class OperatorAtThePrompt : public ::testing::Test {
     return without_times(out.str());
   }
   using Texts = std::vector<std::string>;
+
+  /// Of a parameter of the engine.
+  std::size_t index_of(const std::string& name) const {
+    const std::vector<Parameter> all = run->loop.engine->parameters();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Parameter& one) { return one.name == name; });
+    EXPECT_NE(found, all.end());
+    return static_cast<std::size_t>(found - all.begin());
+  }
 
   std::optional<HandFedRun> run;
 };
@@ -115,6 +124,28 @@ TEST_F(OperatorAtThePrompt, ChangesAPausedRunWithTheNextFrame) {
                       "  field_features.pixel_deviation = 3\n  pick_up\n  paused\n"
                       "  1 times real time\n  4 times real time\n");
   EXPECT_EQ(run->robot->done, (Texts{"pick_up"}));
+}
+
+TEST_F(OperatorAtThePrompt, UndoesTheChangeThatWasRequestedLastInAPausedRun) {
+  const std::string name = "field_features.pixel_deviation", set = "set " + name + " ";
+  const std::string later = "  the run is paused; this takes effect with the next frame\n";
+  const auto value_after = [&](const std::string& lines) {
+    session("pause\n" + lines + "frame 1\nresume\n");
+    return to_text(run->loop.engine->parameters()[index_of(name)].value);
+  };
+  session("");
+  const std::string standard = to_text(run->loop.engine->parameters()[index_of(name)].value);
+  EXPECT_EQ(value_after(set + "3\nundo\n"), standard);
+  EXPECT_EQ(value_after(set + "3\n" + set + "4\nundo\n"), "3");
+  EXPECT_EQ(value_after(set + "3\n" + set + "4\nundo\nundo\n"), standard);
+  EXPECT_EQ(value_after(set + "3\n" + set + "-1\n" + set + "4\nundo\n"), "3") << "-1 is refused";
+  EXPECT_EQ(value_after(set + "3\nundo\nundo\n"), standard);
+  const std::string text = session("pause\n" + set + "3\n" + set + "-1\nundo\nundo\nundo\nframe 1\nresume\nundo\n");
+  EXPECT_NE(text.find(later + later + later + later + "  no change to undo\n  " + name + " = 3\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("0 to 20 pixels)\n  " + name + " = 3\n  " + name + " = " + standard + "\n"), std::string::npos)
+      << text;
+  EXPECT_TRUE(text.ends_with("times real time\n  no change to undo\n")) << text;
 }
 
 TEST(OperatorInARun, IsRecordedAndReplayed) {

@@ -2,7 +2,9 @@
 #include "program/run/console/parameter_commands.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +15,6 @@
 #include "program/run/console/name_pattern.h"
 #include "workbench/files/atomic_file.h"
 #include "workbench/files/parameter_file.h"
-#include "workbench/scenario/parameter_edits.h"
 
 namespace reorient {
 namespace {
@@ -45,25 +46,20 @@ ParameterCommands::ParameterCommands(ScenarioHost* scenario, std::function<std::
 Reply ParameterCommands::set(const std::string& name, const std::string& value, FrameInputs& inputs) {
   const std::vector<Parameter> all = parameters_();
   const Parameter& parameter = named(all, name);
-  const ParameterChange before = change_back_to(parameter);
-  return change({name, value, ParameterOrigin::live, ""}, inputs, [this, before] {
-    if (before_.size() == kMostUndoneChanges) before_.erase(before_.begin());
-    before_.push_back(before);
-  });
+  const std::uint64_t number = before_.add(change_back_to(parameter, inputs));
+  return change({name, value, ParameterOrigin::live, ""}, inputs, [this, number] { before_.remove(number); });
 }
 
 Reply ParameterCommands::undo(FrameInputs& inputs) {
-  if (before_.empty()) return at_once("  no change to undo\n");
-  const ParameterChange last = before_.back();
-  before_.pop_back();
-  return change(last, inputs, [] {});
+  const std::optional<ParameterChange> back = before_.take_last();
+  return back ? change(*back, inputs, [] {}) : at_once("  no change to undo\n");
 }
 
-Reply ParameterCommands::change(const ParameterChange& wanted, FrameInputs& inputs, std::function<void()> done) {
-  const std::optional<ParameterOutcome> by_scenario = request_change(wanted, scenario_, inputs);
-  return [by_scenario, name = wanted.name, done = std::move(done)](const FrameRecord& frame, const SceneTruth&) {
-    const ParameterOutcome outcome = outcome_of_change(name, by_scenario, frame);
-    if (outcome.refusal.empty()) done();
+Reply ParameterCommands::change(const ParameterChange& wanted, FrameInputs& inputs, std::function<void()> refused) {
+  return [requested = request_change(wanted, scenario_, inputs), refused = std::move(refused)](const FrameRecord& frame,
+                                                                                               const SceneTruth&) {
+    const ParameterOutcome outcome = outcome_of_change(requested, frame);
+    if (!outcome.refusal.empty()) refused();
     return "  " + printable(outcome_text(outcome)) + "\n";
   };
 }

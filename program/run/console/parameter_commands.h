@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "program/run/console/command.h"
+#include "workbench/scenario/parameter_edits.h"
 
 namespace reorient {
 
@@ -18,7 +19,7 @@ class ParameterCommands {
                     std::function<std::vector<ParameterChange>()> kept_parameters);
 
   Reply set(const std::string& name, const std::string& value, FrameInputs& inputs);
-  /// Undoes the last change; called again, the one before it.
+  /// Undoes the change that was requested last; called again, the one before it.
   Reply undo(FrameInputs& inputs);
   Reply list(const std::string& pattern) const;
   Reply differences() const;
@@ -29,13 +30,13 @@ class ParameterCommands {
   Words values(const std::string& name) const;
 
  private:
-  /// `done` is called if the change was accepted.
-  Reply change(const ParameterChange& wanted, FrameInputs& inputs, std::function<void()> done);
+  /// `refused` is called if the change was refused.
+  Reply change(const ParameterChange& wanted, FrameInputs& inputs, std::function<void()> refused);
 
   ScenarioHost* scenario_;
   std::function<std::vector<Parameter>()> parameters_;
   std::function<std::vector<ParameterChange>()> kept_parameters_;
-  std::vector<ParameterChange> before_;  ///< what undoes each accepted change, the latest at the end
+  UndoableChanges before_;
 };
 
 }  // namespace reorient

@@ -70,6 +70,23 @@ test("undo returns to the value before a slider was moved", () => {
   assert.equal(parameters.takeUndo(), undefined);
 });
 
+test("undo in a paused run returns to the value before, although no change is answered yet", () => {
+  const parameters = one();
+  parameters.change(HOLD.name, 1, "set-1");
+  parameters.settle();
+  parameters.change(HOLD.name, 2, "set-2");
+  parameters.settle();
+  for (const [before, id] of [[1, "set-3"], [0.2, "set-4"]]) {
+    parameters.take([HOLD]); // the list of the robot, which has no change yet
+    const undo = parameters.takeUndo();
+    assert.deepEqual(parameters.change(undo.name, undo.value, id, false).parameters, [{ name: HOLD.name, value: before }]);
+    assert.equal(value(parameters), before);
+  }
+  for (const id of ["set-1", "set-2", "set-3", "set-4"]) parameters.take([HOLD], id);
+  assert.equal(value(parameters), 0.2);
+  assert.equal(parameters.takeUndo(), undefined);
+});
+
 test("differences are to the default and to the start of the run", () => {
   const parameters = new Parameters();
   parameters.begin("run 1");

@@ -7,7 +7,6 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
-#include "workbench/scenario/parameter_edits.h"
 
 namespace reorient::live {
 namespace {
@@ -72,18 +71,16 @@ void FrameTasks::start(ChangeParameters&& task, Pending& pending, FrameInputs& i
                                  wanted.name + ": expected a value (" + range_text(*parameter) + "), found none"});
     } else {
       const ParameterChange change{wanted.name, *wanted.value, ParameterOrigin::live, ""};
-      pending.changed.push_back({wanted.name, request_change(change, subject_.scenario, inputs)});
-      if (before_.size() == kMostUndoneChanges) before_.erase(before_.begin());
-      before_.push_back(change_back_to(*parameter));
+      const std::uint64_t number = before_.add(change_back_to(*parameter, inputs));
+      pending.changed.push_back({request_change(change, subject_.scenario, inputs), number});
     }
   }
 }
 
 void FrameTasks::start(UndoChange&& /*task*/, Pending& pending, FrameInputs& inputs) {
-  if (before_.empty()) throw std::runtime_error("no change of a viewer to undo");
-  const ParameterChange last = before_.back();
-  before_.pop_back();
-  pending.changed.push_back({last.name, request_change(last, subject_.scenario, inputs), true});
+  const std::optional<ParameterChange> back = before_.take_last();
+  if (!back) throw std::runtime_error("no change of a viewer to undo");
+  pending.changed.push_back({request_change(*back, subject_.scenario, inputs), {}});
 }
 
 void FrameTasks::start(AddNote&& task, Pending& pending, FrameInputs& inputs) {
@@ -177,13 +174,9 @@ bool FrameTasks::complete(Pending& pending, const FrameRecord& frame, const Scen
   }
   if (pending.machine) describe_machine(*pending.machine, answer);
   answer.outcomes = pending.refused;
-  for (const RequestedChange& change : pending.changed) {
-    answer.outcomes.push_back(outcome_of_change(change.name, change.by_scenario, frame));
-    if (answer.outcomes.back().refusal.empty() || change.undoes) continue;
-    // Only accepted changes can be undone.
-    const auto last = std::find_if(before_.rbegin(), before_.rend(),
-                                   [&](const ParameterChange& back) { return back.name == change.name; });
-    if (last != before_.rend()) before_.erase(std::next(last).base());
+  for (const PendingChange& changed : pending.changed) {
+    answer.outcomes.push_back(outcome_of_change(changed.change, frame));
+    if (changed.number && !answer.outcomes.back().refusal.empty()) before_.remove(*changed.number);
   }
   if (pending.reloads) {
     for (const auto* reloads : {&frame.reloads, &scene.scenario.reloads})

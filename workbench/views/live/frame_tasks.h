@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 
 #include "engine/frame.h"
 #include "engine/frame_inputs.h"
+#include "workbench/scenario/parameter_edits.h"
 #include "workbench/scenario/scenario_host.h"
 #include "workbench/views/live/requests.h"
 #include "workbench/views/live/what_ifs.h"
@@ -55,15 +57,14 @@ class FrameTasks {
   Topics wanted() const;
 
  private:
-  struct RequestedChange {
-    std::string name;
-    std::optional<ParameterOutcome> by_scenario;
-    bool undoes = false;  // another one
+  struct PendingChange {
+    RequestedChange change;
+    std::optional<std::uint64_t> number;  // with which it can be undone; nothing: it undoes another one
   };
   struct Pending {
     AnswerAddress to;
     std::vector<ParameterOutcome> refused;  // without a frame
-    std::vector<RequestedChange> changed;
+    std::vector<PendingChange> changed;
     bool reads_parameters = true, reloads = false;
     bool needs_frame = false;  // the answer is in the next frame
     bool is_told = false;      // the viewer knows that it waits
@@ -92,7 +93,7 @@ class FrameTasks {
 
   LiveSubject subject_;
   std::vector<Pending> pending_;
-  std::vector<ParameterChange> before_;  // what undoes each change that is not refused, the latest at the end
+  UndoableChanges before_;  // of all viewers
 };
 
 }  // namespace reorient::live

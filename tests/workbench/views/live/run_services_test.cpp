@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Viewers act as the operator, and set the pace of a run.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,6 +111,42 @@ TEST_F(RunOfAViewer, CarriesOutItsActions) {
   EXPECT_EQ(run->robot->done,
             (Texts{"pick_up", "put_down", "end the penalty", "light -1.000000", "pick_up", "put_down"}));
   expect_near(run->robot->pose, reflect(Pose2(1.0, -2.0, 0.5 * kPi)), 1e-9);
+}
+
+TEST_F(RunOfAViewer, UndoesTheChangeThatItRequestedLastInAPausedRun) {
+  const std::string name = "field_features.pixel_deviation";
+  const auto value = [&] {
+    const std::vector<Parameter> all = run->loop.engine->parameters();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Parameter& one) { return one.name == name; });
+    return std::get<double>(found->value);
+  };
+  start();
+  const double standard = value();
+  const auto request = [&](Service service, const json& content) {
+    send(service, content);
+    poll();
+    return call;
+  };
+  const auto set = [&](double to) {
+    return request(Service::set_parameters, {{"parameters", {{{"name", name}, {"value", to}}}}});
+  };
+  const auto frame = [&] {  // as in the run loop, with the inputs of the pause
+    run->loop.engine->step({run->loop.inputs.observation, inputs_of_pause.parameter_changes, {}, {}});
+    inputs_of_pause.parameter_changes.clear();
+    live->observe(run->loop.record(), run_loop->scene());
+  };
+  const std::uint32_t first = set(3.0), refused = set(-1.0), last = set(4.0),
+                      undo = request(Service::undo, json::object());
+  frame();
+  EXPECT_EQ(value(), 3.0);
+  EXPECT_EQ(viewer->await_response(first)["parameters"][0]["value"], 3.0);
+  EXPECT_EQ(viewer->await_response(refused)["refused"].size(), 1u);
+  EXPECT_EQ(viewer->await_response(last)["parameters"][0]["value"], 3.0) << "the value in force after the frame";
+  EXPECT_EQ(viewer->await_response(undo)["parameters"][0]["value"], 3.0);
+  const std::uint32_t again = request(Service::undo, json::object());
+  frame();
+  EXPECT_EQ(viewer->await_response(again)["parameters"][0]["value"], standard);
+  EXPECT_EQ(value(), standard);
 }
 
 TEST_F(RunOfAViewer, RefusesHostileActionsWithOneLine) {
