@@ -386,7 +386,7 @@ TEST_F(LiveConsoleTest, WaitsInTheRobotsTime) {
 
 TEST_F(LiveConsoleTest, ListsItsCommands) {
   EXPECT_EQ(answer("help why"),
-            "  why MACHINE        transitions of a behavior's state, and what their conditions lack\n");
+            "  why MACHINE           transitions of a behavior's state, and what their conditions lack\n");
   EXPECT_NE(answer("help wyh").find("did you mean 'why'"), std::string::npos);
   EXPECT_EQ(answer("undo all"), "  expected undo\n");
 }

@@ -148,6 +148,21 @@ TEST_F(OperatorAtThePrompt, UndoesTheChangeThatWasRequestedLastInAPausedRun) {
   EXPECT_TRUE(text.ends_with("times real time\n  no change to undo\n")) << text;
 }
 
+TEST_F(OperatorAtThePrompt, AlignsTheHelpOfAllCommands) {
+  std::istringstream lines(session("help\n"));
+  constexpr std::size_t kColumn = 24;
+  int commands = 0;
+  for (std::string line; std::getline(lines, line); ++commands) {
+    EXPECT_LE(line.size(), 100u) << line;
+    if (line.size() <= kColumn || line.starts_with("  set_exposure_compensation ") ||
+        line.starts_with("  set_initial_pose "))
+      continue;
+    EXPECT_NE(line[kColumn], ' ') << line;
+    EXPECT_EQ(line.substr(kColumn - 2, 2), "  ") << line;
+  }
+  EXPECT_GT(commands, 20);
+}
+
 TEST(OperatorInARun, IsRecordedAndReplayed) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "run.mcap").string(), out = (folder.path() / "out.txt").string();

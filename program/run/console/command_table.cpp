@@ -29,6 +29,13 @@ std::string usage(const Command& command) {
   return command.arguments.empty() ? std::string(command.name) : fmt::format("{} {}", command.name, command.arguments);
 }
 
+/// The help of a command that is too long for its column is in the next line, as in the help of options.
+std::string help_line(const std::string& command, std::string_view help) {
+  constexpr std::size_t kColumn = 20;
+  return command.size() <= kColumn ? fmt::format("  {:<{}}  {}\n", command, kColumn, help)
+                                   : fmt::format("  {}\n  {:<{}}  {}\n", command, "", kColumn, help);
+}
+
 std::string optional_argument(const Words& arguments) { return arguments.empty() ? std::string() : arguments[0]; }
 
 /// Seconds of the robot's time to wait. Throws std::runtime_error.
@@ -177,10 +184,10 @@ const Command& CommandTable::find(const std::string& name) const {
 std::string CommandTable::help(const std::string& name) const {
   std::string text;
   for (const Command& command : commands_) {
-    if (name.empty() || command.name == name) text += fmt::format("  {:<17}  {}\n", usage(command), command.help);
+    if (name.empty() || command.name == name) text += help_line(usage(command), command.help);
   }
   if (text.empty()) find(name);
-  if (name.empty()) text += fmt::format("  {:<17}  {}\n", "(an empty line)", "close the prompt; the run continues");
+  if (name.empty()) text += help_line("(an empty line)", "close the prompt; the run continues");
   return text;
 }
 
