@@ -214,8 +214,8 @@ void draw_confidences(Markup& out, const Report& report) {
         out, report,
         "Single trials of \u201c" + series.name +
             "\u201d: confidences over time, below them the evidence on which the behaviors decide, and the first "
-            "command that corrected the belief. The bar above the evidence is the status of the room. Below each: the "
-            "command that repeats it with pictures." +
+            "command that corrected the belief. The bar above the evidence is the status of the room. Two samples a "
+            "second: a shorter peak may be missing. Below each: the command that repeats it with pictures." +
             some);
   }
 }
