@@ -107,8 +107,7 @@ export function meanCosts(messages) {
   return costs;
 }
 
-/// The value of a world field, such as "pose.x".
+/// The value of a world field or of an application, such as "pose.x" and "input.ball.position.x".
 export function fieldOf(world, name) {
-  const [table, field] = name.split(".");
-  return world?.[table]?.[field];
+  return name.split(".").reduce((value, part) => value?.[part], world);
 }
