@@ -37,9 +37,12 @@ void end_live_view(LiveView* live, std::ostream& out) {
   if (live == nullptr) return;
   live->stop();
   const LiveView::Counts counts = live->counts();
-  out << fmt::format("live view: {}; not shown: {} because the processor was busy, {} because a viewer was slow\n",
-                     counted(counts.viewers, "viewer"), counted(counts.dropped_frames, "frame"),
-                     counted(counts.dropped_messages, "message"));
+  out << fmt::format(
+      "live view: {}; not shown: {} because the processor was busy, {}, {} and {} because a "
+      "viewer was slow\n",
+      counted(counts.viewers, "viewer"), counted(counts.dropped_frames, "frame"),
+      counted(counts.left_out.frames, "frame"), counted(counts.left_out.images, "image"),
+      counted(counts.dropped_messages, "message"));
 }
 
 }  // namespace reorient

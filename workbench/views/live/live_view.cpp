@@ -252,6 +252,7 @@ void LiveView::publish(const FrameCopy& copy) {
   messages_.add(viewed, [&](ViewerTopic topic, std::string_view message) {
     viewers_.publish(topic, time, std::string(message));
   });
+  viewers_.end_frame(time);
 }
 
 void LiveView::send(FrameAnswer answer) {
@@ -305,7 +306,7 @@ void LiveView::send_playback(live::PlaybackStatus status, double time, float spe
 LiveView::Counts LiveView::counts() const {
   const live::Viewers::Counts counts = viewers_.counts();
   const std::lock_guard lock(mutex_);
-  return {counts.viewers, frames_waiting_.dropped(), counts.dropped};
+  return {counts.viewers, frames_waiting_.dropped(), counts.dropped, counts.left_out};
 }
 
 }  // namespace reorient

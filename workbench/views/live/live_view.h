@@ -70,7 +70,8 @@ class LiveView : public InputSource, public Observer {
   struct Counts {
     std::uint64_t viewers = 0;           ///< that connected
     std::uint64_t dropped_frames = 0;    ///< because the processor was too slow
-    std::uint64_t dropped_messages = 0;  ///< because a viewer was too slow
+    std::uint64_t dropped_messages = 0;  ///< because a viewer did not read
+    live::FrameCounts left_out;          ///< of viewers with slow connections
   };
   Counts counts() const;
 

@@ -10,7 +10,29 @@ namespace {
 Importance importance_of(std::size_t topic) {
   const auto which = static_cast<ViewerTopic>(topic);
   if (which == ViewerTopic::upper_image || which == ViewerTopic::lower_image) return Importance::image;
-  return kViewerTopics[topic].lasts ? Importance::lasting : Importance::data;
+  return kViewerTopics[topic].lasts || moment_topics().test(topic) ? Importance::lasting : Importance::data;
+}
+
+std::optional<Bulk> bulk_of(std::size_t topic) {
+  switch (static_cast<ViewerTopic>(topic)) {
+    case ViewerTopic::upper_image:
+    case ViewerTopic::upper_annotations:
+      return Bulk::upper;
+    case ViewerTopic::lower_image:
+    case ViewerTopic::lower_annotations:
+      return Bulk::lower;
+    case ViewerTopic::pose_particles:
+      return Bulk::particles;
+    case ViewerTopic::wall:
+      return Bulk::wall;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Whether a message of the topic is not made for each frame, so that the next frame does not replace it.
+bool is_rare(std::size_t topic) {
+  return kViewerTopics[topic].lasts || static_cast<ViewerTopic>(topic) == ViewerTopic::pose_particles;
 }
 
 }  // namespace
@@ -27,9 +49,16 @@ void Viewers::remove(ViewerId id) {
   const std::lock_guard lock(mutex_);
   const auto found = viewers_.find(id);
   if (found == viewers_.end()) return;
-  gone_.dropped += found->second.mailbox->dropped();
+  count(*found->second.mailbox, gone_);
   viewers_.erase(found);
   update_flags();
+}
+
+void Viewers::count(const ViewerMailbox& mailbox, Counts& counts) {
+  const FrameCounts left_out = mailbox.left_out();
+  counts.dropped += mailbox.dropped();
+  counts.left_out.frames += left_out.frames;
+  counts.left_out.images += left_out.images;
 }
 
 void Viewers::update_flags() {
@@ -79,6 +108,8 @@ std::string Viewers::unsubscribe(ViewerId id, std::uint32_t subscription) {
   const auto own = std::find(all.begin(), all.end(), subscription);
   if (own == all.end()) return "unsubscribe: unknown subscription " + std::to_string(subscription);
   own->reset();
+  std::erase_if(found->second.frame, [&](const FrameMessage& one) { return one.subscription == subscription; });
+  found->second.mailbox->forget(subscription);
   update_flags();
   return "";
 }
@@ -107,9 +138,23 @@ void Viewers::publish(ViewerTopic topic, std::uint64_t time, std::string message
   const auto index = static_cast<std::size_t>(topic);
   const auto shared = std::make_shared<const std::string>(std::move(message));
   const std::lock_guard lock(mutex_);
-  if (!moment_topics().test(index)) last_[index] = {time, shared};
-  for (const auto& [id, viewer] : viewers_)
-    if (viewer.subscriptions[index]) send_data(viewer, index, time, shared);
+  const bool is_of_frame = !moment_topics().test(index);
+  if (is_of_frame) last_[index] = {time, shared};
+  for (auto& [id, viewer] : viewers_) {
+    if (!viewer.subscriptions[index]) continue;
+    if (is_of_frame) {
+      viewer.frame.push_back(
+          {*viewer.subscriptions[index], shared, importance_of(index), bulk_of(index), is_rare(index)});
+    } else {
+      send_data(viewer, index, time, shared);
+    }
+  }
+}
+
+void Viewers::end_frame(std::uint64_t time) {
+  const std::lock_guard lock(mutex_);
+  for (auto& [id, viewer] : viewers_)
+    if (!viewer.frame.empty()) viewer.mailbox->add_frame(time, std::exchange(viewer.frame, {}));
 }
 
 void Viewers::send(ViewerId id, std::string text) {
@@ -154,7 +199,7 @@ void Viewers::send_changes(const std::vector<Parameter>& now) {
 Viewers::Counts Viewers::counts() const {
   const std::lock_guard lock(mutex_);
   Counts counts = gone_;
-  for (const auto& [id, viewer] : viewers_) counts.dropped += viewer.mailbox->dropped();
+  for (const auto& [id, viewer] : viewers_) count(*viewer.mailbox, counts);
   return counts;
 }
 

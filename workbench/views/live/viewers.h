@@ -43,8 +43,10 @@ class Viewers {
   /// Whether a lasting topic has a new subscriber since the last call.
   bool take_new_subscriber() { return has_new_subscriber_.exchange(false, std::memory_order_relaxed); }
 
-  /// Sends a message of a topic to its subscribers. `time`: ns.
+  /// Sends a message of a topic to its subscribers: at once, or with the frame to which it belongs. `time`: ns.
   void publish(ViewerTopic topic, std::uint64_t time, std::string message);
+  /// The messages since the last call are one frame.
+  void end_frame(std::uint64_t time);
   void send(ViewerId id, std::string text);
   void send(ViewerId id, std::vector<std::byte> binary);
   void send_all(const std::vector<std::byte>& binary);
@@ -53,7 +55,8 @@ class Viewers {
 
   struct Counts {
     std::uint64_t viewers = 0;  ///< so far
-    std::uint64_t dropped = 0;  ///< messages to slow viewers
+    std::uint64_t dropped = 0;  ///< messages, because too many waited
+    FrameCounts left_out;       ///< because connections were slow
   };
   Counts counts() const;
 
@@ -63,12 +66,14 @@ class Viewers {
     std::array<std::optional<std::uint32_t>, kViewerTopicCount> subscriptions{};  // by topic
     bool watches_all = false;
     std::set<std::string> watched;
+    std::vector<FrameMessage> frame{};
   };
   struct Last {
     std::uint64_t time = 0;
     std::shared_ptr<const std::string> message;
   };
   void update_flags();
+  static void count(const ViewerMailbox& mailbox, Counts& counts);
   static void send_data(const Viewer& viewer, std::size_t topic, std::uint64_t time,
                         const std::shared_ptr<const std::string>& message);
 

@@ -8,7 +8,8 @@
 
 namespace reorient::live {
 
-inline constexpr int kContinuation = 0, kTextFrame = 1, kBinaryFrame = 2, kCloseFrame = 8, kPingFrame = 9;
+inline constexpr int kContinuation = 0, kTextFrame = 1, kBinaryFrame = 2, kCloseFrame = 8, kPingFrame = 9,
+                     kPongFrame = 10;
 
 inline std::string client_frame(int opcode, std::string_view data, bool is_last = true) {
   constexpr std::string_view kMask("\x01\x80\xFF\x2A", 4);

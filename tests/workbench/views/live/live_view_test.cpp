@@ -609,6 +609,44 @@ TEST_F(ViewedRun, NeverWaitsForAViewerThatDoesNotRead) {
   EXPECT_EQ(status["message"], "Send buffer limit reached");
 }
 
+TEST_F(ViewedRun, SendsAllEventsAndTheNewestFrameToASlowViewer) {
+  start();
+  TestViewer viewer(port, 4096);
+  viewer.answers_pings = true;
+  viewer.open(token);
+  viewer.await_operation("advertiseServices");
+  subscribe(viewer, all_topics());
+  sync(viewer);
+  step();
+  EXPECT_TRUE(await_data(viewer, ViewerTopic::world).is_object());
+  // The viewer reads nothing while the run continues with a note in each frame.
+  std::size_t notes = 0;
+  EXPECT_TRUE(await([&] {
+    loop.inputs.external.notes.push_back("note " + std::to_string(notes++));
+    step();
+    return live->counts().left_out.frames > 20;
+  }));
+  const double newest = loop.record().world.time;
+  const FrameCounts left_out = live->counts().left_out;
+  std::size_t worlds = 0, next_note = 0;
+  bool has_newest = false;
+  while (next_note < notes || !has_newest) {
+    const auto message = viewer.receive();
+    ASSERT_TRUE(message) << next_note << " of " << notes << " notes";
+    if (message->opcode != kBinaryFrame || message->data[0] != 1) continue;
+    const json data = json::parse(message->data.substr(kHeadOfData));
+    if (data.value("message", "") == "note: note " + std::to_string(next_note)) ++next_note;
+    std::uint64_t time = 0;
+    std::uint32_t id = 0;
+    std::memcpy(&id, message->data.data() + 1, sizeof id);
+    std::memcpy(&time, message->data.data() + 5, sizeof time);
+    if (id != 100 + channel_of(static_cast<std::size_t>(ViewerTopic::world))) continue;
+    ++worlds;
+    has_newest = time == to_nanoseconds(newest);
+  }
+  EXPECT_LE(worlds, notes - left_out.frames + 1);
+}
+
 TEST_F(ViewedRun, RefusesManyAndHugeNamesWithoutDelay) {
   start();
   step();

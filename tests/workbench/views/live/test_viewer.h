@@ -98,13 +98,16 @@ class TestViewer {
     send_bytes(client_frame(kBinaryFrame, bytes + encoding + payload));
   }
 
-  /// The next message; nothing: the connection has ended, or kWaitLimit passed.
+  /// The next message; nothing: the connection has ended, or kWaitLimit passed. Answers pings, if `answers_pings`.
   std::optional<Received> receive() {
     while (true) {
-      if (std::optional<Received> message = take_message()) return message;
-      if (!receive_more()) return std::nullopt;
+      const std::optional<Received> message = take_message();
+      if (!message && !receive_more()) return std::nullopt;
+      if (message && message->opcode != kPingFrame) return message;
+      if (message && answers_pings) send_bytes(client_frame(kPongFrame, message->data));
     }
   }
+  bool answers_pings = false;  ///< as every correct client does, so that the server measures the connection
   /// The next message for which `is_it` is true; nothing: the connection has ended before.
   std::optional<Received> await(const std::function<bool(const Received&)>& is_it) {
     while (std::optional<Received> message = receive()) {

@@ -122,6 +122,143 @@ TEST(ViewerMailbox, IsGivenUpSomeTimeAfterItWasClosed) {
   EXPECT_TRUE(await([&] { return mailbox.is_given_up(); }));
 }
 
+FrameMessage frame_message(std::uint32_t subscription, const std::string& text) {
+  return {subscription, std::make_shared<const std::string>(text), Importance::data, std::nullopt, false};
+}
+
+/// Takes messages, and answers pings at once or not at all.
+struct TestedReader {
+  ViewerMailbox& mailbox;
+  bool answers = false;
+  std::vector<std::byte> ping{};  // the last one
+  int pings = 0;
+
+  /// The next message that is not a ping.
+  std::string take() {
+    while (true) {
+      const auto message = mailbox.wait();
+      if (!message) return "closed";
+      if (message->type != WebSocketType::ping) return message->shared ? *message->shared : text_of(*message);
+      ping = message->own;
+      ++pings;
+      if (answers) mailbox.receive_pong(ping);
+    }
+  }
+  void begin_to_answer() {
+    answers = true;
+    mailbox.receive_pong(ping);
+  }
+};
+
+TEST(ViewerMailbox, SendsEveryFrameToAViewerThatDoesNotAnswerPings) {
+  ViewerMailbox mailbox;
+  mailbox.measure();
+  for (std::uint64_t i = 0; i < 100; ++i) mailbox.add_frame(i, {frame_message(1, "frame " + std::to_string(i))});
+  TestedReader reader{mailbox};
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(reader.take(), "frame " + std::to_string(i));
+  EXPECT_EQ(reader.pings, 1);
+  EXPECT_EQ(mailbox.left_out().frames, 0u);
+}
+
+/// A viewer that has stopped to answer pings, so that frames wait.
+class SlowViewer : public ::testing::Test {
+ protected:
+  SlowViewer() {
+    mailbox.measure();
+    reader.answers = true;
+    mailbox.add_control("begin");
+    EXPECT_EQ(reader.take(), "begin");
+    reader.answers = false;
+    EXPECT_TRUE(await([&] {
+      add_frame();
+      mailbox.add_control("next");
+      while (reader.take() != "next") {
+      }
+      return mailbox.left_out().frames > 1;
+    }));
+  }
+  /// With a lasting message in every second frame.
+  void add_frame() {
+    std::vector<FrameMessage> messages{frame_message(1, "frame " + std::to_string(++time))};
+    if (time % 2 == 0) {
+      messages.push_back(frame_message(2, "lasting " + std::to_string(time)));
+      messages.back().waits = true;
+    }
+    mailbox.add_frame(time, std::move(messages));
+  }
+  /// All messages until this one.
+  std::vector<std::string> take_until(const std::string& last) {
+    std::vector<std::string> all;
+    while (all.empty() || (all.back() != last && all.back() != "closed")) all.push_back(reader.take());
+    return all;
+  }
+  ViewerMailbox mailbox;
+  TestedReader reader{mailbox};
+  std::uint64_t time = 0;
+};
+
+TEST_F(SlowViewer, ReceivesTheNewestFrameAndTheNewestLastingMessageWhenItAnswers) {
+  for (int i = 0; i < 5; ++i) add_frame();
+  mailbox.add_data(message("an event"), Importance::lasting);
+  take_until("an event");
+  reader.begin_to_answer();
+  const auto rest = take_until("lasting " + std::to_string(time - time % 2));
+  EXPECT_EQ(rest.front(), "frame " + std::to_string(time));
+  EXPECT_GE(mailbox.left_out().frames, 4u);
+}
+
+TEST_F(SlowViewer, ReceivesNothingThatItUnsubscribed) {
+  add_frame();
+  mailbox.forget(1);
+  mailbox.forget(2);
+  reader.begin_to_answer();
+  mailbox.add_frame(++time, {frame_message(3, "other")});
+  for (const std::string& one : take_until("other")) EXPECT_NE(one, "frame " + std::to_string(time - 1));
+}
+
+TEST_F(SlowViewer, CannotAnswerPingsThatWereNotSent) {
+  const std::vector<std::byte> later(8, std::byte{0x7F}), odd(3), empty;
+  for (const auto& bytes : {later, odd, empty}) mailbox.receive_pong(bytes);
+  const std::uint64_t before = mailbox.left_out().frames;
+  add_frame();
+  EXPECT_EQ(mailbox.left_out().frames, before + 1) << "it waits";
+}
+
+TEST_F(SlowViewer, IsClosedWhileAFrameWaits) {
+  const int pings = reader.pings;
+  mailbox.close(kNormalClose, "the end");
+  EXPECT_NE(reader.take().find("the end"), std::string::npos);
+  EXPECT_EQ(reader.take(), "closed");
+  EXPECT_EQ(reader.pings, pings) << "nothing follows a close frame";
+}
+
+TEST(RateStatus, ReportsTheRatesOfASlowConnectionAndItsEnd) {
+  RateStatus rate;
+  const auto pass = [&](double begin, int sends_each, int images) {
+    std::optional<std::string> news;
+    for (int i = 0; i < 60; ++i) {
+      rate.add_frame(1);
+      if (i % sends_each == 0) rate.send_frame();
+      if (i < images) rate.send_image();
+      if (const auto one = rate.take_news(begin + i / 30.0)) news = one;
+    }
+    return news.value_or("");
+  };
+  EXPECT_EQ(pass(0.0, 1, 60), "");
+  EXPECT_EQ(pass(2.0, 1, 60), "") << "a good connection";
+  pass(4.0, 5, 2);
+  const std::string slow = pass(6.0, 5, 2);
+  EXPECT_NE(slow.find("slow connection: 6 of 30 frames a second, 1 image a second"), std::string::npos) << slow;
+  EXPECT_NE(slow.find(R"("id":"slow")"), std::string::npos) << slow;
+  pass(8.0, 5, 0);
+  EXPECT_NE(pass(10.0, 4, 0).find("no images"), std::string::npos);
+  pass(12.0, 1, 60);
+  pass(14.0, 1, 60);
+  EXPECT_NE(pass(16.0, 1, 60).find("removeStatus"), std::string::npos);
+  EXPECT_EQ(pass(18.0, 1, 60), "");
+  EXPECT_GT(rate.left_out().frames, 100u);
+}
+
 TEST(ViewerMailbox, WakesItsReader) {
   ViewerMailbox mailbox(kSmall);
   auto taken = std::async(std::launch::async, [&] { return mailbox.wait().has_value(); });

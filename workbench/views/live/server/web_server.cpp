@@ -100,6 +100,7 @@ std::span<const std::byte> receive_some(int socket, std::span<std::byte> memory)
 
 void hand_over(const WebSocketMessage& message, ViewerSession& session, ViewerMailbox& mailbox) {
   if (message.type == WebSocketType::ping) mailbox.add_control(Outgoing{WebSocketType::pong, message.data, nullptr});
+  if (message.type == WebSocketType::pong) mailbox.receive_pong(message.data);
   if (message.type == WebSocketType::close) mailbox.close_now(kNormalClose, "");
   if (message.type == WebSocketType::binary) session.receive_binary(message.data);
   if (message.type == WebSocketType::text)
@@ -185,6 +186,7 @@ void WebServer::Parts::serve_viewer(mg_connection* connection) {
     if (stops) mailbox->close(kGoingAway, "the run has ended");
   }
   if (is_one_too_many) mailbox->close(kPolicyViolation, "too many viewers at once; close one of them");
+  mailbox->measure();
   std::thread sender(send_messages, socket, std::ref(*mailbox));
   {
     const std::unique_ptr<ViewerSession> session = open(mailbox, decide(head_of(connection), rules));

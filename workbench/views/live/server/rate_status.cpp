@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "workbench/views/live/server/rate_status.h"
+
+#include <cmath>
+
+#include "workbench/views/live/protocol/foxglove_protocol.h"
+
+namespace reorient::live {
+namespace {
+
+constexpr double kInterval = 2.0;     // s
+constexpr double kMostMissing = 0.1;  // of the frames or images without a status
+constexpr int kGoodIntervals = 2;     // after which the connection is good again
+
+bool is_missing(std::uint64_t offered, std::uint64_t sent) {
+  return static_cast<double>(sent) < (1.0 - kMostMissing) * static_cast<double>(offered);
+}
+
+/// A number a second, with a decimal if it is small.
+std::string rate_text(std::uint64_t count, double seconds) {
+  const double tenths = std::round(10.0 * static_cast<double>(count) / seconds);
+  const auto whole = static_cast<int>(tenths >= 20.0 ? std::round(tenths / 10.0) : tenths / 10.0);
+  const int rest = tenths >= 20.0 ? 0 : static_cast<int>(tenths) % 10;
+  return std::to_string(whole) + (rest > 0 ? "." + std::to_string(rest) : "");
+}
+
+std::string slow_text(const FrameCounts& offered, const FrameCounts& sent, double seconds) {
+  std::string text = "slow connection: " + rate_text(sent.frames, seconds) + " of " +
+                     rate_text(offered.frames, seconds) + " frames a second";
+  if (offered.images == 0) return text;
+  if (sent.images == 0) return text + ", no images";
+  const std::string images = rate_text(sent.images, seconds);
+  return text + ", " + images + (images == "1" ? " image a second" : " images a second");
+}
+
+FrameCounts difference(const FrameCounts& later, const FrameCounts& earlier) {
+  return {later.frames - earlier.frames, later.images - earlier.images};
+}
+
+}  // namespace
+
+std::optional<std::string> RateStatus::take_news(double time) {
+  if (!begin_) begin_ = time;
+  const double seconds = time - *begin_;
+  if (seconds < kInterval) return std::nullopt;
+  const FrameCounts offered = difference(offered_, offered_before_), sent = difference(sent_, sent_before_);
+  begin_ = time;
+  offered_before_ = offered_;
+  sent_before_ = sent_;
+  if (offered.frames == 0) return std::nullopt;  // for example a pause
+  if (is_missing(offered.frames, sent.frames) || is_missing(offered.images, sent.images)) {
+    good_ = 0;
+    std::string text = slow_text(offered, sent, seconds);
+    if (text == shown_) return std::nullopt;
+    shown_ = std::move(text);
+    return status(StatusLevel::warning, shown_, kSlowId);
+  }
+  if (shown_.empty() || ++good_ < kGoodIntervals) return std::nullopt;
+  shown_.clear();
+  return remove_status(kSlowId);
+}
+
+FrameCounts RateStatus::left_out() const { return difference(offered_, sent_); }
+
+}  // namespace reorient::live
