@@ -422,6 +422,16 @@ test("drops that the robot reports are shown", async () => {
   await page.getByText("the recorder has stopped").waitFor();
 });
 
+test("the rates of a slow connection are shown until it is good again", async () => {
+  robot.report(1, "slow connection: 6 of 30 frames a second, 1 image a second", "slow");
+  await page.locator(".connection").getByText("6 of 30 frames a second").waitFor();
+  robot.report(1, "slow connection: 9 of 30 frames a second, no images", "slow");
+  await page.locator(".connection").getByText("9 of 30 frames a second").waitFor();
+  assert.equal(await page.getByText("6 of 30 frames").count(), 0);
+  robot.removeReport("slow");
+  await page.getByText("9 of 30 frames").waitFor({ state: "detached" });
+});
+
 test("damaged messages of the robot are reported, and the page continues", async () => {
   for (const socket of robot.clients.keys()) {
     socket.send("{");

@@ -265,9 +265,14 @@ export class Robot {
       if (subscriptions.has(channel)) this.send(socket, subscriptions.get(channel), this.now, data);
   }
 
-  /// Sends a status to all clients.
-  report(level, message) {
-    for (const socket of this.clients.keys()) socket.send(JSON.stringify({ op: "status", level, message }));
+  /// Sends a status to all clients. A later one with the same id replaces it.
+  report(level, message, id = undefined) {
+    for (const socket of this.clients.keys()) socket.send(JSON.stringify({ op: "status", level, message, id }));
+  }
+
+  /// Removes a status.
+  removeReport(id) {
+    for (const socket of this.clients.keys()) socket.send(JSON.stringify({ op: "removeStatus", statusIds: [id] }));
   }
 
   send(socket, subscription, time, data) {

@@ -15,12 +15,12 @@ import { ReplayPace } from "./replay.jsx";
 import { endReason, isReplay, limits, link, store } from "./robot.js";
 import { thought } from "./sentence.js";
 import { settings } from "./settings.js";
+import { Slowness } from "./slowness.jsx";
 import { switchTheme } from "./theme.js";
 import { changed, useChanges } from "./ticker.js";
 import { onTrial } from "./trial.js";
 
 const STALE = 3000; // ms without a message after which the page says so
-const RECENT_DROPS = 10000; // ms
 const RETRY = 1000; // ms
 const LONG = 15000; // ms without a connection
 const ENDED = "the run has ended"; // the reason that the robot gives
@@ -50,7 +50,6 @@ export function ConnectionState() {
   useChanges(200);
   const { tone, text } = connectionText();
   const shown = store.shown();
-  const isSlow = link.drops > 0 && Date.now() - link.lastDrop < RECENT_DROPS;
   const isPaused = !store.isLive && link.state === "open";
   return (
     <span class={`connection ${isPaused ? "busy" : tone}`} role="status">
@@ -58,11 +57,7 @@ export function ConnectionState() {
       <b>{isPaused ? "View paused" : text}</b>
       {shown && <span class="value">{seconds(shown.time)}</span>}
       {isPaused && <span class="soft value">{isReplay() ? "replay" : "robot"} at {seconds(store.newest, 0)}</span>}
-      {isSlow && (
-        <span class="badge" title="The robot left out messages, images first.">
-          slow connection, {link.drops}× dropped
-        </span>
-      )}
+      <Slowness />
     </span>
   );
 }

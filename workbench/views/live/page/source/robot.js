@@ -8,6 +8,7 @@ import { changed, changedByUser, onFailure } from "./ticker.js";
 
 const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
 
+const RATE = "slow"; // id of the status with the rates of a slow connection
 const SET = "set_parameters"; // a service
 const ACCESS = "access"; // id of the status that says why this page may change nothing
 const NOTICE = 15000; // ms for which a status without an id is shown
@@ -17,13 +18,15 @@ onFailure((error) => store.fail(error.message));
 export const parameters = new Parameters(changed, changedByUser);
 
 /// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports; refusal:
-/// why this page may change nothing.
+/// why this page may change nothing; slow: the rates of a slow connection; framed: Date.now() of the last frame.
 export const link = {
   state: "connecting",
   since: Date.now(),
   refusal: "",
   drops: 0,
   lastDrop: 0,
+  slow: "",
+  framed: 0,
   notices: new Map(),
   heard: 0,
   services: new Set(),
@@ -52,6 +55,7 @@ const listeners = {
     document.title = info.name;
     link.notices.clear();
     link.refusal = "";
+    link.slow = "";
     if (session !== null && info.sessionId !== session) {
       store.clear();
       forget();
@@ -66,6 +70,7 @@ const listeners = {
   },
   message({ topic, time, payload }) {
     link.heard = Date.now();
+    if (topic === "/world") link.framed = link.heard;
     store.receive(topic, time, payload);
     if (topic === "/parameters") parameters.takeTexts(store.lasting.get(topic)?.parameters ?? []);
   },
@@ -79,9 +84,12 @@ const listeners = {
   status(message) {
     if (message.op === "removeStatus") {
       for (const id of message.statusIds) link.notices.delete(id);
+      if (message.statusIds.includes(RATE)) link.slow = "";
     } else if (message.message === SLOW) {
       ++link.drops;
       link.lastDrop = Date.now();
+    } else if (message.id === RATE) {
+      link.slow = message.message;
     } else if (message.id === ACCESS) {
       link.refusal = message.message;
     } else {
