@@ -246,6 +246,7 @@ constexpr OptionUse kOptionUses[] = {
     {"--with", kOfSimulator},
     {"--without", kOfSimulator},
     {"--room", kOfSimulator},
+    {"--interface", kOfSimulator | kOfCompanion | kOfNao},
     {"--hall-seed", kOfSimulator},
     {"--field", kOfSimulator | kOfFootage | kOfNao},
     {"--body", kOfSimulator | kOfFootage | kOfNao},

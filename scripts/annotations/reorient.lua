@@ -12,6 +12,7 @@
 ---@field room? string
 ---@field hall_seed? integer
 ---@field field? string
+---@field interface? string
 ---@field enter? fun()
 ---@field update? fun()
 ---@field exit? fun()
@@ -269,6 +270,30 @@ function operator.set_initial_pose(x, y, rotation) end
 ---@param text string
 function operator.tell_message(sender, text) end
 
+---@class reorient.application
+application = {}
+
+---Sets values of the application, which the scenario plays, as in { ball = { x = 1.0, seen = true } }.
+---@param values table
+function application.set(values) end
+
+---State of an action's latest start: idle, requested, running, done or failed.
+---@param action string
+---@return string
+function application.state(action) end
+
+---An argument of an action's latest start.
+---@param action string
+---@param argument string
+---@return any
+function application.argument(action, argument) end
+
+---Reports that the latest start of an action is running, done or failed, with a reason.
+---@param action string
+---@param state string
+---@param reason? string
+function application.report(action, state, reason) end
+
 ---Signals that the teams change sides. The robot stays in place, and from then on all poses are in the axes of the new half.
 function operator.half_time() end
 
@@ -462,9 +487,9 @@ function scenario(name) end
 ---@return any
 function require(module) end
 
----The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s).
+---The other machines at the start of the frame, read-only: `state` (path) and `time_in_state` (s). Of a machine that does not run they are nil and 0; `reorient check` reports unknown names.
 ---@class reorient.Machine
----@field state string path of the innermost active state
+---@field state string? path of the innermost active state
 ---@field time_in_state number s
 
 ---@type table<string, reorient.Machine>
@@ -474,6 +499,24 @@ behaviors = {}
 ---@type table<string, boolean>
 published = {}
 
+---The values of the application, read-only: `input.NAME` has always a value of its type, `input.age.NAME` is the time since it was set (s; infinite if never), `input.valid.NAME` tells whether it is not too old and fits its declaration. An interface declares them (docs/applications.md).
+---@class reorient.Input: table<string, any>
+---@field age table<string, any>
+---@field valid table<string, any>
+
+---@type reorient.Input
+input = {}
+
+---The actions of the application. `action.NAME { ... }` requests one in `enter`, `update` or `exit`; repeated with the same arguments, it continues. `action.NAME.state` is `idle`, `requested`, `running`, `done` or `failed`, `.reason` tells why it failed, and `.time_in_state` for how long (s).
+---@class reorient.Action
+---@field state "idle"|"requested"|"running"|"done"|"failed"
+---@field reason string
+---@field time_in_state number s
+---@operator call(table): nil
+
+---@type table<string, reorient.Action>
+action = {}
+
 ---Writes a line to the run's log; in a test, a line below its result.
 ---@param ... any
 function print(...) end
@@ -481,12 +524,14 @@ function print(...) end
 ---@alias reorient.CommandName "flip_pose"|"purge_reflection"|"reset_orientation"|"pause_training"|"pause_evaluation"
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"|"set_game_state"|"stop_game"|"set_kick_off"
+---@alias reorient.ApplicationAction string
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"|"set_game_state"|"stop_game"|"set_kick_off"|"set_input"|"report_action"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string
 ---@alias reorient.ScenarioScript string
 ---@alias reorient.ParameterName string
+---@alias reorient.InputValues table<string, any>
 
 ---@class reorient.World
 ---@field clock? table<string, number|boolean|string>
@@ -520,6 +565,20 @@ function load_scenario(scenario) end
 ---Changes what the robot senses in the fake world from the next frame. Derived values (times since a disturbance, age and status of the confidences, whether training and evaluation are active) follow the engine's own rules until the test sets it itself. A granted command changes the pose and the confidences as it does in the engine: after a flip, the evidence has the other sign. The clock cannot be set: `advance` lets time pass.
 ---@param world reorient.World
 function set_world(world) end
+
+---Declares the values and actions of an application: a name in assets/interfaces, or a path from the scripts' root. Call it before `load_behavior`.
+---@param interface string
+function load_interface(interface) end
+
+---Sets values of the application in the next frame. They stay until they are set again; their age grows.
+---@param values reorient.InputValues
+function set_input(values) end
+
+---Reports in the next frame that the latest start of an action is running, done or failed.
+---@param action reorient.ApplicationAction
+---@param state string
+---@param reason? string
+function report_action(action, state, reason) end
 
 ---Changes a parameter as a user does during a run. The parameter of a script that is loaded later is set when the script is loaded. The test fails if none of its scripts declares the parameter.
 ---@param name reorient.ParameterName
@@ -556,6 +615,15 @@ function advance_to(time) end
 ---@param name string
 ---@return number|string|boolean value
 function world_value(name) end
+
+---A behavior started the action during the last `advance`, with these arguments if they are given; arguments that are left out have their defaults.
+---@param action reorient.ApplicationAction
+---@param arguments? table
+function expect.started(action, arguments) end
+
+---No behavior started the action during the last `advance`.
+---@param action reorient.ApplicationAction
+function expect.not_started(action) end
 
 ---In all frames of the replay so far, the robot did what was recorded: commands, head, walking, messages.
 function expect.as_recorded() end

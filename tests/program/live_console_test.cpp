@@ -72,7 +72,8 @@ class LiveConsoleTest : public ::testing::Test {
     console->add_to(loop.inputs);
     loop.wanted = console->wanted();
     if (!loop.inputs.script_edits.empty()) scenario->apply(loop.inputs.script_edits);
-    scene_.scenario = scenario->tick({loop.step().world, std::nullopt});
+    const FrameRecord& frame = loop.step();
+    scene_.scenario = scenario->tick({frame.world, frame.application, std::nullopt});
     console->observe(loop.record(), scene_);
     return out_.str();
   }

@@ -6,6 +6,8 @@
 namespace reorient {
 namespace {
 
+constexpr std::int64_t kPriceOfSearch = 20;
+
 const MachineDirectory& directory_of(lua_State* L) {
   return *static_cast<const MachineDirectory*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
@@ -17,7 +19,6 @@ int refuse_setting(lua_State* L) {
 /// Upvalues: the directory, the machine's name. Arguments: its table, a key. A behavior that does not run has no state
 /// and was in it for 0 s, so that a script may depend on behaviors that some runs leave out.
 int read_field(lua_State* L) {
-  constexpr std::int64_t kPriceOfSearch = 20;
   Sandbox::of(L).charge(kPriceOfSearch);
   const std::string_view key = luaL_checkstring(L, 2);
   MachineSight sight;
@@ -45,6 +46,7 @@ void set_reader(lua_State* L, lua_CFunction refuse) {
 
 /// Upvalues: the directory, the tables made so far. Arguments: `behaviors`, a name.
 int find_machine(lua_State* L) {
+  Sandbox::of(L).charge(kPriceOfSearch);
   const char* const name = luaL_checkstring(L, 2);
   if (lua_getfield(L, lua_upvalueindex(2), name) == LUA_TTABLE) return 1;
   lua_newtable(L);
@@ -62,7 +64,6 @@ int refuse_publishing(lua_State* L) { return luaL_error(L, "published is read-on
 
 /// Upvalue: the directory. Arguments: `published`, a name. A name that no loaded script publishes is false.
 int read_published(lua_State* L) {
-  constexpr std::int64_t kPriceOfSearch = 20;
   Sandbox::of(L).charge(kPriceOfSearch);
   std::size_t length = 0;
   const char* const flag = luaL_checklstring(L, 2, &length);

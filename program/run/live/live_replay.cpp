@@ -211,13 +211,13 @@ class LiveReplay {
   const LiveReplayOptions& options_;
   ScriptTexts on_disk_;
   Recording recording_;
+  FrameLoop* engine_ = nullptr;  // before the commands, which ask for it
   CommandTable commands_;
   std::optional<LiveView> view_;
   std::optional<ShownFrames> shown_;
   std::optional<WhatIfSource> changed_;
   std::optional<Replay> replay_;
   std::optional<RunLoop> loop_;
-  FrameLoop* engine_ = nullptr;
   RunPace pace_;
   PlaybackStatus status_ = PlaybackStatus::playing;
   double time_ = 0.0, begin_ = 0.0, end_ = 0.0;  // s of the robot

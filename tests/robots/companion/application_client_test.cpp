@@ -162,6 +162,7 @@ class ApplicationClient : public testing::Test {
   RawClient greeted() {
     RawClient client(folder_.path() / "socket");
     client.introduce(hello("the text", 8));
+    looks_ = 0;
     const Handshake* const handshake = companion_->wait_for_handshake();
     EXPECT_NE(handshake, nullptr);
     if (handshake != nullptr && !begun_) companion_->begin(*handshake, false, 3);

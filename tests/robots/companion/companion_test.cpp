@@ -436,7 +436,7 @@ TEST_F(CompanionTest, ReportsClientsThatConnectLeaveOrAreRefused) {
   static_cast<void>(observed());
   const std::vector<std::string> expected{
       "client refused: another client is connected and sent data within the last 2 s",
-      "client refused: unknown message type 999 (expected 1 to 5)", "client left",
+      "client refused: unknown message type 999 (expected 1 to 7)", "client left",
       "client connected to the running engine", "client left"};
   EXPECT_EQ(told_, expected);
 }
@@ -650,12 +650,12 @@ TEST_F(CompanionTest, RefusesInvalidMessagesWithTheReason) {
             std::string::npos);
   EXPECT_NE(refusal_of([&](RawClient& client) {
               client.send(9, reorient_memory{});
-            }).find("unknown message type 9 (expected 1 to 5)"),
+            }).find("unknown message type 9 (expected 1 to 7)"),
             std::string::npos);
   EXPECT_NE(refusal_of([&](RawClient& client) {
               header(client, REORIENT_LONGEST_BODY, 9, REORIENT_VERSION_2);
               client.send_bytes(std::vector<std::byte>(REORIENT_LONGEST_BODY));
-            }).find("unknown message type 9 (expected 1 to 5)"),
+            }).find("unknown message type 9 (expected 1 to 7)"),
             std::string::npos)
       << "the longest message fits";
   EXPECT_NE(refusal_of([&](RawClient& client) {

@@ -107,7 +107,7 @@ TEST(InterfaceFile, NamesLineAndMistake) {
       {"[values.goal]", "[values.age.x]", "age is a name of the program"},
       {"takes = 2", "takes = -1", "takes: expected a number from 0 to 3600, found -1"},
       {"reports = true", "reports = 1", "reports: expected true or false, found 1"},
-      {"[actions.kick]", "[actoins.kick]", "unknown key 'actoins' (did you mean 'actions'?)"},
+      {"[values.mode]", "[valeus.mode]", "unknown key 'valeus' (did you mean 'values'?)"},
       {"default = true", "default = 1", "default: expected true or false, found 1"},
       {"[values.mode]", "values.mode = 3\n[values.mode]", "team.toml:"},
       {"[values.mode]", "[values.mode", "team.toml:"},

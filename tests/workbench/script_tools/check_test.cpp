@@ -415,6 +415,18 @@ behavior "b" { update = function()
 end })");
   EXPECT_EQ(findings(),
             R"(behaviors/b.lua:3:21: error: input.drone has no field 'heigth' (did you mean 'height'?)
+behaviors/b.lua:3:39: error: input has no value 'dron' (did you mean 'drone'?)
+behaviors/b.lua:3:68: error: input.drone has no field 'high'
+behaviors/b.lua:3:86: error: input has no value 'othrs' (did you mean 'others'?)
+behaviors/b.lua:4:26: error: input.drone.mode: unknown value 'landing' (expected hover, land)
+behaviors/b.lua:4:59: error: the value has no field 'rotatio' (did you mean 'rotation'?)
+behaviors/b.lua:5:10: error: the application has no action 'fli' (did you mean 'fly'?)
+behaviors/b.lua:6:16: error: action.fly has no field 'sped' (did you mean 'speed'?)
+behaviors/b.lua:7:24: error: action.fly.speed: expected a number, found a string
+behaviors/b.lua:8:35: error: action.fly.style: unknown value 'medium' (expected fast, slow)
+behaviors/b.lua:9:26: error: action.fly.state: unknown value 'runing' (did you mean 'running'?)
+behaviors/b.lua:9:57: error: action.fly has no field 'reasn' (did you mean 'reason'?)
+behaviors/b.lua:10:9: error: input.drone.mode is a string, and '+' takes a number
 )");
 }
 
@@ -437,7 +449,9 @@ TEST_F(ApplicationCheckTest, ChecksTestsAndScenarios) {
   advance(0.1)
   expect.started "fli"
 end))");
-  EXPECT_EQ(findings(), "");
+  EXPECT_EQ(findings(),
+            "tests/b_test.lua:4:25: error: input.drone has no field 'hight' (did you mean 'height'?)\n"
+            "tests/b_test.lua:6:18: error: argument 1 of expect.started: unknown value 'fli' (did you mean 'fly'?)\n");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/script/script_texts.h"
+#include "robots/application.h"
 #include "workbench/script_tools/check/finding.h"
 
 namespace reorient {
