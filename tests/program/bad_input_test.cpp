@@ -237,7 +237,8 @@ TEST_F(BadInput, AFieldFileThatIsMissingIsNamed) {
 }
 
 TEST_F(BadInput, AScenarioThatIsMissingIsNamed) {
-  expect_refused_run({"gone"}, {"unknown scenario 'gone'", "(expected ball, elsewhere, fallen, falls, half_time, kidnapped"});
+  expect_refused_run({"gone"},
+                     {"unknown scenario 'gone'", "(expected ball, elsewhere, fallen, falls, half_time, kidnapped"});
   expect_refused_run({path("gone.lua")}, {"gone.lua"});
 }
 
