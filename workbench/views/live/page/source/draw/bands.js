@@ -66,7 +66,7 @@ export function drawBand(context, band, row, range, x, isDark, isStatus) {
   }
 }
 
-/// Whether a command changes the pose; the others begin a pause.
+/// Whether a command changes the pose.
 export const isReorientation = ({ command }) => REORIENTATIONS.includes(command);
 
 /// The marks of the timeline: {time, row, kind, text}.
@@ -75,7 +75,8 @@ export function marksOf(store) {
   for (const event of store.events) {
     if (event.kind === "command") {
       const text = `${event.command} ${event.verdict} (${event.machine}: ${event.reason})`;
-      const granted = isReorientation(event) ? "granted" : "pause";
+      const other = event.command.startsWith("action ") ? "action" : "pause";
+      const granted = isReorientation(event) ? "granted" : other;
       marks.push({ time: event.time, row: 0, kind: event.granted ? granted : "refused", text });
     } else if (event.kind === "note") {
       marks.push({ time: event.time, row: 1, kind: "note", text: `note: ${event.text}` });
@@ -92,7 +93,7 @@ export function marksOf(store) {
   return marks;
 }
 
-const COLORS = { granted: "good", pause: "gray", refused: "red", note: "amber", edit: "blue", fault: "red" };
+const COLORS = { granted: "good", action: "good", pause: "gray", refused: "red", note: "amber", edit: "blue", fault: "red" };
 
 function drawMark(context, { kind }, u, v) {
   context.fillStyle = context.strokeStyle = themeColor(COLORS[kind]);
@@ -101,6 +102,8 @@ function drawMark(context, { kind }, u, v) {
   if (kind === "pause") {
     context.fillRect(u - 3.5, v - 4, 2.5, 8);
     context.fillRect(u + 1, v - 4, 2.5, 8);
+  } else if (kind === "action") {
+    context.fillRect(u - 4, v - 4, 8, 8);
   } else if (kind === "granted") {
     context.moveTo(u - 5.5, v + 5);
     context.lineTo(u + 5.5, v + 5);

@@ -90,6 +90,7 @@ function drawTicks(plot) {
 export function evidencePlot(element, width, height, range, limits) {
   const splits = (plot, axis, low, high) => marksOf(high, plot.bbox.height / devicePixelRatio, APART);
   const options = common(width, height, range, splits, markText, "evidence\n(log scale)");
+  options.axes[1].filter = (plot, marks) => marks; // all: by default uPlot leaves out those that are no power of 10
   options.scales.y = {
     distr: 4,
     asinh: LINEAR,
