@@ -33,7 +33,7 @@ std::string number_text(double number) {
 }
 
 std::string range_text(const DeclaredField& field) {
-  const std::string what = field.type == FieldType::integer ? "an integer" : "a number";
+  std::string what = field.type == FieldType::integer ? "an integer" : "a number";
   const std::string unit = field.unit.empty() ? "" : " " + field.unit;
   if (!std::isfinite(field.minimum) && !std::isfinite(field.maximum)) return what;
   if (!std::isfinite(field.maximum)) return what + " of at least " + number_text(field.minimum) + unit;

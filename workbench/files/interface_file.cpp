@@ -178,6 +178,7 @@ std::vector<ApplicationInterface> known_interfaces(const std::filesystem::path& 
   }
   std::sort(files.begin(), files.end());
   std::vector<ApplicationInterface> all;
+  all.reserve(files.size());
   for (const std::filesystem::path& file : files) all.push_back(load_interface(file));
   return all;
 }

@@ -177,7 +177,7 @@ void push_entries(lua_State* L, BehaviorLanguage& language, Aspect aspect, int m
       lua_pushinteger(L, static_cast<lua_Integer>(index));
       lua_setfield(L, -2, name.c_str());
     }
-    push_values(L, language, aspect, root + "." + group, made);
+    push_values(L, language, aspect, std::string(root).append(".").append(group), made);
     lua_setfield(L, -2, group.c_str());
   }
 }

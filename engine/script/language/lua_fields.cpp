@@ -75,7 +75,9 @@ void require_known_keys(lua_State* L, int table, std::span<const std::string> kn
     const std::string key = lua_tostring(L, -2);
     bool is_known = false;
     for (const std::string& name : known) is_known |= name == key;
-    if (!is_known) throw std::runtime_error(what + ": unknown field '" + key + "'" + did_you_mean(key, known));
+    if (!is_known)
+      throw std::runtime_error(std::string(what).append(": unknown field '").append(key).append("'") +
+                               did_you_mean(key, known));
   }
 }
 
@@ -146,7 +148,7 @@ void push_argument(lua_State* L, const std::vector<DeclaredField>& fields, const
   FieldPlace place;
   std::vector<std::string> known;
   for (const DeclaredField& field : fields) {
-    if (field.name == name) return push_field(L, field, data, place, what + "." + name);
+    if (field.name == name) return push_field(L, field, data, place, std::string(what).append(".").append(name));
     place.number += numbers_of(field.type);
     place.text += texts_of(field.type);
     known.push_back(field.name);
@@ -168,6 +170,7 @@ FieldData read_record(lua_State* L, int index, const std::vector<DeclaredField>&
   if (has_table && !lua_istable(L, table)) refuse(what, "a table with the names of the fields", L, table);
   if (has_table) {
     std::vector<std::string> names;
+    names.reserve(fields.size());
     for (const DeclaredField& field : fields) names.push_back(field.name);
     require_known_keys(L, table, names, what);
   }

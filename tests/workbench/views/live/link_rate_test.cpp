@@ -46,7 +46,7 @@ struct SimulatedLink {
       passed += taken;
       if (queue.front().bytes > 0.0) break;
       arrivals.push_back({now + delay, now + delay - queue.front().made, queue.front().bulk});
-      acknowledgments.push_back({now + 2.0 * delay, passed});
+      acknowledgments.emplace_back(now + 2.0 * delay, passed);
       queue.pop_front();
     }
     const double before = acknowledged;

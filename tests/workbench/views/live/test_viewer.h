@@ -101,7 +101,7 @@ class TestViewer {
   /// The next message; nothing: the connection has ended, or kWaitLimit passed. Answers pings, if `answers_pings`.
   std::optional<Received> receive() {
     while (true) {
-      const std::optional<Received> message = take_message();
+      std::optional<Received> message = take_message();
       if (!message && !receive_more()) return std::nullopt;
       if (message && message->opcode != kPingFrame) return message;
       if (message && answers_pings) send_bytes(client_frame(kPongFrame, message->data));
