@@ -406,7 +406,8 @@ void Companion::answer(const Answer& answer) {
   message.unusable = counts_.unusable;
   if (handshake_ && !connection_.send(REORIENT_ANSWER, message)) ++counts_.unanswered;
   for (const StartedAction& started : answer.actions) {
-    const DeclaredAction& declared = engine_for_->application.actions.at(started.action);
+    if (!engine_for_ || started.action >= engine_for_->application.actions.size()) continue;
+    const DeclaredAction& declared = engine_for_->application.actions[started.action];
     if (const std::string problem = actions_.add(started, declared, options_.now()); !problem.empty())
       tell_note(NoteKind::fault, problem);
   }
