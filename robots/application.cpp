@@ -87,6 +87,19 @@ std::string mistake_in_field(const DeclaredField& field) {
   return mistake.empty() ? "" : "default: " + mistake;
 }
 
+/// How much of FieldData a record takes.
+struct RecordSize {
+  std::size_t numbers = 0, texts = 0;
+};
+RecordSize record_size(const std::vector<DeclaredField>& fields) {
+  RecordSize size;
+  for (const DeclaredField& field : fields) {
+    size.numbers += numbers_of(field.type);
+    size.texts += texts_of(field.type);
+  }
+  return size;
+}
+
 /// Of the fields of a record, or of arguments.
 std::string mistake_in_fields(const std::vector<DeclaredField>& fields) {
   if (fields.size() > kMostFields)
@@ -147,16 +160,13 @@ std::size_t numbers_of(FieldType type) {
 std::size_t texts_of(FieldType type) { return type == FieldType::text ? 1 : 0; }
 
 std::string mistake_in(const FieldData& data, const std::vector<DeclaredField>& fields, std::uint32_t records) {
+  const RecordSize size = record_size(fields);
+  if (data.numbers.size() != records * size.numbers || data.texts.size() != records * size.texts) {
+    return "expected " + std::to_string(records * size.numbers) + " numbers and " +
+           std::to_string(records * size.texts) + " texts, found " + std::to_string(data.numbers.size()) + " and " +
+           std::to_string(data.texts.size());
+  }
   std::size_t numbers = 0, texts = 0;
-  for (const DeclaredField& field : fields) {
-    numbers += numbers_of(field.type);
-    texts += texts_of(field.type);
-  }
-  if (data.numbers.size() != records * numbers || data.texts.size() != records * texts) {
-    return "expected " + std::to_string(records * numbers) + " numbers and " + std::to_string(records * texts) +
-           " texts, found " + std::to_string(data.numbers.size()) + " and " + std::to_string(data.texts.size());
-  }
-  numbers = texts = 0;
   for (std::uint32_t record = 0; record < records; ++record) {
     for (const DeclaredField& field : fields) {
       std::string mistake;
@@ -172,12 +182,8 @@ std::string mistake_in(const FieldData& data, const std::vector<DeclaredField>& 
 }
 
 std::string to_text(const FieldData& data, const std::vector<DeclaredField>& fields, std::uint32_t record) {
-  std::size_t per_record = 0, texts_per_record = 0;
-  for (const DeclaredField& field : fields) {
-    per_record += numbers_of(field.type);
-    texts_per_record += texts_of(field.type);
-  }
-  std::size_t number = record * per_record, text = record * texts_per_record;
+  const RecordSize size = record_size(fields);
+  std::size_t number = record * size.numbers, text = record * size.texts;
   std::string all;
   for (const DeclaredField& field : fields) {
     if (!all.empty()) all += ", ";
@@ -193,6 +199,16 @@ std::string to_text(const FieldData& data, const std::vector<DeclaredField>& fie
     if (texts_of(field.type) > 0) all.append("\"").append(data.texts.at(text++)).append("\"");
   }
   return all;
+}
+
+std::string to_text(const DeclaredAction& action, const FieldData& arguments) {
+  const std::string content = to_text(arguments, action.arguments);
+  return content.empty() ? action.name : action.name + " { " + content + " }";
+}
+
+void append(FieldData& data, const FieldData& more) {
+  data.numbers.insert(data.numbers.end(), more.numbers.begin(), more.numbers.end());
+  data.texts.insert(data.texts.end(), more.texts.begin(), more.texts.end());
 }
 
 std::string mistake_in(const ApplicationInterface& declared) {

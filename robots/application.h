@@ -75,7 +75,7 @@ struct DeclaredAction {
   /// s. Without reports, the action is done after this time. With reports, it has failed if it does not end in this
   /// time; 0: it may take any time.
   double takes = 0.0;
-  bool reports = false;  ///< the application reports how the action goes on
+  bool reports = false;  ///< the application reports whether the action runs, is done or has failed
 };
 template <typename Visit, ConstOr<DeclaredAction> T>
 void fields(Visit&& visit, T& action) {
@@ -106,9 +106,18 @@ std::string mistake_in(const FieldData& data, const std::vector<DeclaredField>& 
 /// "left, 0.3": the content of one record as text, for people.
 std::string to_text(const FieldData& data, const std::vector<DeclaredField>& fields, std::uint32_t record = 0);
 
+/// "kick { foot = \"left\" }".
+std::string to_text(const DeclaredAction& action, const FieldData& arguments);
+
 // How much of FieldData a field takes.
 std::size_t numbers_of(FieldType type);
 std::size_t texts_of(FieldType type);
+
+/// Names of the numbers of a point (the first two) and of a pose.
+inline constexpr const char* kCoordinates[] = {"x", "y", "rotation"};
+
+/// Appends the content of further fields.
+void append(FieldData& data, const FieldData& more);
 
 /// A new value of a declared one. Of several in a frame the last counts.
 struct SetValue {
@@ -146,7 +155,7 @@ constexpr int enum_count(ActionState) { return 5; }
 /// "running": the name in scripts.
 std::string_view to_string(ActionState state);
 
-/// How a started action goes on. Reports about earlier actions are ignored.
+/// The state of a started action. Reports about earlier actions are ignored.
 struct ActionReport {
   std::uint32_t id = 0;                      ///< StartedAction::id
   ActionState state = ActionState::running;  ///< running, done or failed

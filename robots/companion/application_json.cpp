@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kCoordinates[] = {"x", "y", "rotation"};
-
 /// Deeper texts are refused before they are parsed.
 constexpr int kDeepest = 8;
 
@@ -79,8 +77,7 @@ void append_record(const Json& json, const DeclaredValue& value, FieldData& data
   }
   for (const DeclaredField& field : value.fields) {
     if (json.is_object() && !json.contains(field.name)) {
-      data.numbers.insert(data.numbers.end(), field.initial.numbers.begin(), field.initial.numbers.end());
-      data.texts.insert(data.texts.end(), field.initial.texts.begin(), field.initial.texts.end());
+      append(data, field.initial);
     } else {
       append_field(json.is_object() ? json[field.name] : Json(), field, data);
     }

@@ -247,7 +247,7 @@ struct reorient_game {
 
 /* ---- values: a JSON object, whole message, as {"ball": {"x": 1.0, "seen": true}}; used with the next frame ---- */
 
-/* ---- report: how an action of the application goes on ---- */
+/* ---- report: the state of an action of the application ---- */
 
 enum { REORIENT_ACTION_RUNNING = 1, REORIENT_ACTION_DONE = 2, REORIENT_ACTION_FAILED = 3 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values and actions that an application declares: what behaviors read, what the application is told, and what wrong
+// Values and actions that an application declares: what behaviors read, what the application receives, and what wrong
 // applications cannot do.
 #include <cmath>
 #include <limits>
@@ -11,18 +11,11 @@
 #include "engine/record/input_bytes.h"
 #include "engine/record/record_bytes.h"
 #include "engine/script/script_error.h"
+#include "tests/declared_field.h"
 #include "tests/engine/frame_fixture.h"
 
 namespace reorient {
 namespace {
-
-DeclaredField field(const std::string& name, FieldType type, FieldData initial) {
-  DeclaredField field;
-  field.name = name;
-  field.type = type;
-  field.initial = std::move(initial);
-  return field;
-}
 
 DeclaredValue value(const std::string& name, DeclaredField field) { return {name, "", {std::move(field)}}; }
 
@@ -30,21 +23,21 @@ DeclaredValue value(const std::string& name, DeclaredField field) { return {name
 ApplicationInterface soccer() {
   ApplicationInterface declared;
   declared.name = "soccer";
-  DeclaredField x = field("", FieldType::number, {{0.5}, {}});
+  DeclaredField x = declared_field("", FieldType::number, {{0.5}, {}});
   x.minimum = -10.0;
   x.maximum = 10.0;
   x.unit = "m";
   declared.values.push_back(value("ball.x", x));
   declared.values.back().lasts = 1.0;
-  declared.values.push_back(value("ball.seen", field("", FieldType::boolean, {{0.0}, {}})));
-  DeclaredField role = field("", FieldType::text, {{}, {"striker"}});
+  declared.values.push_back(value("ball.seen", declared_field("", FieldType::boolean, {{0.0}, {}})));
+  DeclaredField role = declared_field("", FieldType::text, {{}, {"striker"}});
   role.choices = {"striker", "keeper"};
   declared.values.push_back(value("role", role));
-  declared.values.push_back(value("target", field("", FieldType::pose, {{1.0, 2.0, 0.0}, {}})));
+  declared.values.push_back(value("target", declared_field("", FieldType::pose, {{1.0, 2.0, 0.0}, {}})));
   declared.values.push_back(
       {"teammates",
        "",
-       {field("number", FieldType::integer, {{1.0}, {}}), field("says", FieldType::text, {{}, {""}})},
+       {declared_field("number", FieldType::integer, {{1.0}, {}}), declared_field("says", FieldType::text, {{}, {""}})},
        3});
   DeclaredField foot = role;
   foot.name = "foot";
@@ -55,7 +48,7 @@ ApplicationInterface soccer() {
   direction.name = "direction";
   direction.initial = {{0.0}, {}};
   declared.actions.push_back({"kick", "", {foot, direction}, 2.0, true});
-  declared.actions.push_back({"say", "", {field("text", FieldType::text, {{}, {"hello"}})}, 0.5, false});
+  declared.actions.push_back({"say", "", {declared_field("text", FieldType::text, {{}, {"hello"}})}, 0.5, false});
   return declared;
 }
 

@@ -20,6 +20,7 @@
 
 #include "engine/world/application_state.h"
 #include "robots/companion/companion.h"
+#include "tests/declared_field.h"
 #include "tests/fuzz/promises.h"
 #include "tests/robots/companion/raw_client.h"
 
@@ -28,22 +29,22 @@ namespace {
 
 /// A value of each way to be read, and an action.
 ApplicationInterface fuzzed_interface() {
-  const auto field = [](const char* name, FieldType type, FieldData initial) {
-    DeclaredField field;
-    field.name = name;
-    field.type = type;
-    field.initial = std::move(initial);
-    return field;
-  };
   ApplicationInterface declared;
   declared.name = "fuzzed";
   declared.values = {
-      {"a.x", "", {field("", FieldType::number, {{0.0}, {}})}},
-      {"a.t", "", {field("", FieldType::text, {{}, {""}})}},
-      {"p", "", {field("", FieldType::pose, {{0.0, 0.0, 0.0}, {}})}},
-      {"l", "", {field("i", FieldType::integer, {{0.0}, {}}), field("b", FieldType::boolean, {{0.0}, {}})}, 3}};
+      {"a.x", "", {declared_field("", FieldType::number, {{0.0}, {}})}},
+      {"a.t", "", {declared_field("", FieldType::text, {{}, {""}})}},
+      {"p", "", {declared_field("", FieldType::pose, {{0.0, 0.0, 0.0}, {}})}},
+      {"l",
+       "",
+       {declared_field("i", FieldType::integer, {{0.0}, {}}), declared_field("b", FieldType::boolean, {{0.0}, {}})},
+       3}};
   declared.actions = {
-      {"k", "", {field("d", FieldType::number, {{0.0}, {}}), field("f", FieldType::text, {{}, {""}})}, 20.0, true}};
+      {"k",
+       "",
+       {declared_field("d", FieldType::number, {{0.0}, {}}), declared_field("f", FieldType::text, {{}, {""}})},
+       20.0,
+       true}};
   return declared;
 }
 

@@ -29,10 +29,9 @@ void add_content(const DeclaredValue& declared, const ValueState& state, std::ve
       return;
     case FieldType::point:
     case FieldType::pose:
-      all.push_back({name + ".x", state.data.numbers.at(0), "m", declared.description});
-      all.push_back({name + ".y", state.data.numbers.at(1), "m", declared.description});
-      if (field.type == FieldType::pose)
-        all.push_back({name + ".rotation", state.data.numbers.at(2), "rad", declared.description});
+      for (std::size_t i = 0; i < numbers_of(field.type); ++i)
+        all.push_back({std::string(name).append(".").append(kCoordinates[i]), state.data.numbers.at(i),
+                       i < 2 ? "m" : "rad", declared.description});
       return;
   }
 }

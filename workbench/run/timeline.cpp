@@ -50,10 +50,8 @@ std::vector<TimelineEvent> timeline_events(const FrameRecord& frame, const Scene
   }
   for (const ActionRecord& record : frame.application.requests) {
     const DeclaredAction& action = frame.application.declared->actions[record.request.action];
-    const std::string arguments = to_text(record.request.arguments, action.arguments);
     events.push_back(command_event(*frame.names, record.request.issuer,
-                                   "action " + action.name + (arguments.empty() ? "" : " { " + arguments + " }"),
-                                   record.verdict, time));
+                                   "action " + to_text(action, record.request.arguments), record.verdict, time));
   }
   append_notes(*scene.scenario.names, scene.scenario.logs, time, events);
   append_transitions(*scene.scenario.names, scene.scenario.transitions, time, events);

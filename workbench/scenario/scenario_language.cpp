@@ -189,17 +189,8 @@ void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
   act({OperatorAction::Kind::set_initial_pose, settable_pose("operator.set_initial_pose", x, y, rotation), 0.0, false});
 }
 
-std::size_t ScenarioActions::index_of_action(std::string_view name) const {
-  std::vector<std::string> known;
-  for (const DeclaredAction& action : application_->declared->actions) {
-    if (action.name == name) return known.size();
-    known.push_back(action.name);
-  }
-  throw std::runtime_error("the application has no action '" + std::string(name) + "'" + did_you_mean(name, known));
-}
-
 const ActionStatus& ScenarioActions::status_of(std::string_view name) const {
-  return application_->actions[index_of_action(name)];
+  return application_->actions[action_named(*application_->declared, name)];
 }
 
 int ScenarioActions::set_input(lua_State* L) {
@@ -216,10 +207,10 @@ int ScenarioActions::set_input(lua_State* L) {
 
 int ScenarioActions::action_argument(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1), argument = luaL_checkstring(L, 2);
-  const ActionStatus& status = status_of(name);
+  const std::uint16_t action = action_named(*application_->declared, name);
+  const ActionStatus& status = application_->actions[action];
   if (status.id == 0) throw std::runtime_error("application.argument: action '" + name + "' was never requested");
-  push_argument(L, application_->declared->actions[index_of_action(name)].arguments, status.arguments, argument,
-                "action." + name);
+  push_argument(L, application_->declared->actions[action].arguments, status.arguments, argument, "action." + name);
   return 1;
 }
 

@@ -109,7 +109,6 @@ class ScenarioActions : public ScriptActions {
  private:
   void act(const OperatorAction& action);
   void judge(bool succeeded, std::string_view text);
-  std::size_t index_of_action(std::string_view name) const;
   const ActionStatus& status_of(std::string_view name) const;
 
   static constexpr std::uint64_t kStream = 0xc4a9ce;

@@ -13,8 +13,6 @@
 namespace reorient {
 namespace {
 
-constexpr const char* kCoordinates[] = {"x", "y", "rotation"};
-
 /// Where the next field begins.
 struct FieldPlace {
   std::size_t number = 0, text = 0;
@@ -113,11 +111,6 @@ void read_field(lua_State* L, int index, const DeclaredField& field, FieldData& 
   }
 }
 
-void append(const FieldData& more, FieldData& data) {
-  data.numbers.insert(data.numbers.end(), more.numbers.begin(), more.numbers.end());
-  data.texts.insert(data.texts.end(), more.texts.begin(), more.texts.end());
-}
-
 void require_fit(const FieldData& data, const std::vector<DeclaredField>& fields, const std::string& what) {
   if (const std::string mistake = mistake_in(data, fields); !mistake.empty())
     throw std::runtime_error(what + ": " + mistake);
@@ -156,6 +149,15 @@ void push_argument(lua_State* L, const std::vector<DeclaredField>& fields, const
   throw std::runtime_error(what + " has no argument '" + name + "'" + did_you_mean(name, known));
 }
 
+std::uint16_t action_named(const ApplicationInterface& declared, std::string_view name) {
+  std::vector<std::string> known;
+  for (const DeclaredAction& action : declared.actions) {
+    if (action.name == name) return static_cast<std::uint16_t>(known.size());
+    known.push_back(action.name);
+  }
+  throw std::runtime_error("unknown action '" + std::string(name) + "'" + did_you_mean(name, known));
+}
+
 ActionReport report_of(std::uint32_t id, std::string_view state, std::string_view reason) {
   if (id == 0) throw std::runtime_error("expected a report about an action that was requested");
   for (const ActionState known : {ActionState::running, ActionState::done, ActionState::failed}) {
@@ -187,7 +189,7 @@ FieldData read_record(lua_State* L, int index, const std::vector<DeclaredField>&
     } else if (field.is_required) {
       throw std::runtime_error(name + ": expected a value, found nothing");
     } else {
-      append(field.initial, data);
+      append(data, field.initial);
     }
     lua_pop(L, 1);
   }
@@ -245,7 +247,7 @@ SetValue read_content(lua_State* L, int index, const ApplicationInterface& decla
   set.records = static_cast<std::uint32_t>(count);
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_geti(L, place, i);
-    append(read_record(L, -1, known.fields, known.name + "[" + std::to_string(i) + "]"), set.data);
+    append(set.data, read_record(L, -1, known.fields, known.name + "[" + std::to_string(i) + "]"));
     lua_pop(L, 1);
   }
   return set;

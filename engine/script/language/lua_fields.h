@@ -22,6 +22,9 @@ void push_content(lua_State* L, const DeclaredValue& value, const FieldData& dat
 void push_argument(lua_State* L, const std::vector<DeclaredField>& fields, const FieldData& data,
                    const std::string& name, const std::string& what);
 
+/// Index of an action. Throws std::runtime_error with one line for an unknown name.
+std::uint16_t action_named(const ApplicationInterface& declared, std::string_view name);
+
 /// A report in a script or a test. Throws std::runtime_error with one line if the state is not one to report, or `id`
 /// is 0.
 ActionReport report_of(std::uint32_t id, std::string_view state, std::string_view reason);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "program/run/console/world_commands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -60,11 +62,18 @@ void each_value(const FrameRecord& frame, const std::function<void(const std::st
 }  // namespace
 
 std::string value_text(const FrameRecord& frame, std::string_view name) {
-  std::string text = "not known";
-  each_value(frame, [&](const std::string& one, const Described& described) {
-    if (one == name) text = described.value;
-  });
-  return text;
+  const std::span<const WorldField> fields = world_fields();
+  const auto named =
+      std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.full_name() == name; });
+  if (named != fields.end()) {
+    std::vector<double> values;
+    append_world(frame.world, values);
+    return value_text(*named, values[static_cast<std::size_t>(named - fields.begin())]);
+  }
+  for (const NamedScalar& scalar : application_values(frame.application, frame.world.time)) {
+    if (scalar.name == name) return value_text(scalar);
+  }
+  return "not known";
 }
 
 void WorldCommands::take_application(const ApplicationInterface& declared) {

@@ -11,39 +11,36 @@
 #include "robots/companion/application_json.h"
 #include "robots/companion/companion.h"
 #include "robots/companion/pending_actions.h"
+#include "tests/declared_field.h"
 #include "tests/robots/companion/raw_client.h"
 #include "tests/temporary_folder.h"
 
 namespace reorient {
 namespace {
 
-DeclaredField field(const std::string& name, FieldType type, FieldData initial) {
-  DeclaredField field;
-  field.name = name;
-  field.type = type;
-  field.initial = std::move(initial);
-  return field;
-}
-
 /// Values: 0 ball.x, 1 ball.seen, 2 goal, 3 mates. Actions: 0 kick (with reports, 2 s), 1 say (without).
 ApplicationInterface team() {
   ApplicationInterface declared;
   declared.name = "team";
   declared.values = {
-      {"ball.x", "", {field("", FieldType::number, {{0.0}, {}})}},
-      {"ball.seen", "", {field("", FieldType::boolean, {{0.0}, {}})}},
-      {"goal", "", {field("", FieldType::pose, {{0.0, 0.0, 0.0}, {}})}},
-      {"mates", "", {field("number", FieldType::integer, {{7.0}, {}}), field("says", FieldType::text, {{}, {""}})}, 2}};
-  declared.actions = {
-      {"kick",
+      {"ball.x", "", {declared_field("", FieldType::number, {{0.0}, {}})}},
+      {"ball.seen", "", {declared_field("", FieldType::boolean, {{0.0}, {}})}},
+      {"goal", "", {declared_field("", FieldType::pose, {{0.0, 0.0, 0.0}, {}})}},
+      {"mates",
        "",
-       {field("foot", FieldType::text, {{}, {"left"}}), field("hard", FieldType::boolean, {{1.0}, {}})},
-       2.0,
-       true},
-      {"say",
-       "",
-       {field("where", FieldType::point, {{1.0, 2.0}, {}}), field("count", FieldType::integer, {{3.0}, {}})},
-       1.0}};
+       {declared_field("number", FieldType::integer, {{7.0}, {}}), declared_field("says", FieldType::text, {{}, {""}})},
+       2}};
+  declared.actions = {{"kick",
+                       "",
+                       {declared_field("foot", FieldType::text, {{}, {"left"}}),
+                        declared_field("hard", FieldType::boolean, {{1.0}, {}})},
+                       2.0,
+                       true},
+                      {"say",
+                       "",
+                       {declared_field("where", FieldType::point, {{1.0, 2.0}, {}}),
+                        declared_field("count", FieldType::integer, {{3.0}, {}})},
+                       1.0}};
   return declared;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/declared_field.h"
 #include "workbench/scenario/scenario_host.h"
 
 namespace reorient {
@@ -35,10 +36,7 @@ TEST(ScenarioActions, PlaceTheRobotOnlyOnOrBesideAField) {
 
 TEST(ScenarioActions, PlayTheApplicationOnlyAsItIsDeclared) {
   ApplicationInterface declared;
-  DeclaredField near;
-  near.type = FieldType::boolean;
-  near.initial = {{0.0}, {}};
-  declared.values.push_back({"ball.near", "", {near}});
+  declared.values.push_back({"ball.near", "", {declared_field("", FieldType::boolean, {{0.0}, {}})}});
   declared.actions.push_back({"wave", "", {}, 1.0, true});
   ApplicationState state(declared);
   ApplicationRecord record;

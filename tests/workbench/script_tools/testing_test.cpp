@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/declared_field.h"
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
 #include "workbench/script_tools/testing/junit_report.h"
@@ -74,10 +75,7 @@ class ScriptedApplicationTests : public ScriptedTests {
     run.load_interface = [](const std::string& name) {
       if (name != "hands") throw std::runtime_error("unknown interface '" + name + "'");
       ApplicationInterface declared;
-      DeclaredField near;
-      near.type = FieldType::boolean;
-      near.initial = {{0.0}, {}};
-      declared.values.push_back({"ball.near", "", {near}});
+      declared.values.push_back({"ball.near", "", {declared_field("", FieldType::boolean, {{0.0}, {}})}});
       DeclaredField hand;
       hand.name = "hand";
       hand.type = FieldType::text;

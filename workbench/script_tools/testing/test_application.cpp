@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "engine/parameters/nearest_name.h"
 #include "engine/script/language/lua_fields.h"
 #include "workbench/script_tools/testing/test_bench.h"
 
@@ -36,31 +35,22 @@ void TestBench::set_application(double time) {
   reports_.clear();
 }
 
-std::uint16_t TestBench::action_named(std::string_view name) const {
-  std::vector<std::string> known;
-  for (const DeclaredAction& action : application_.declared().actions) {
-    if (action.name == name) return static_cast<std::uint16_t>(known.size());
-    known.push_back(action.name);
-  }
-  throw std::runtime_error("unknown action '" + std::string(name) + "'" + did_you_mean(name, known));
-}
-
 /// report_action("kick", "failed", "no ball")
 void TestBench::report_action(std::string_view name, std::string_view state, std::optional<std::string_view> reason) {
   require_fake_world("report_action");
-  reports_.push_back(report_of(application_.actions()[action_named(name)].id, state, reason.value_or("")));
+  reports_.push_back(
+      report_of(application_.actions()[action_named(application_.declared(), name)].id, state, reason.value_or("")));
   if (reports_.size() > kMostReports)
     throw std::runtime_error("report_action: expected at most " + std::to_string(kMostReports) + " reports in a frame");
 }
 
 std::string TestBench::started_text(const StartedAction& started) const {
-  const DeclaredAction& action = application_.declared().actions[started.action];
-  return action.name + " { " + to_text(started.arguments, action.arguments) + " }";
+  return to_text(application_.declared().actions[started.action], started.arguments);
 }
 
 /// expect.started("kick"), expect.started("kick", { foot = "left" })
 int TestBench::expect_started(lua_State* L) {
-  const std::uint16_t action = action_named(luaL_checkstring(L, 1));
+  const std::uint16_t action = action_named(application_.declared(), luaL_checkstring(L, 1));
   const DeclaredAction& declared = application_.declared().actions[action];
   std::optional<FieldData> arguments;
   if (!lua_isnoneornil(L, 2)) arguments = read_record(L, 2, declared.arguments, declared.name);
@@ -75,7 +65,7 @@ int TestBench::expect_started(lua_State* L) {
 }
 
 void TestBench::expect_not_started(std::string_view name) {
-  const std::uint16_t action = action_named(name);
+  const std::uint16_t action = action_named(application_.declared(), name);
   for (const StartedAction& started : started_) {
     if (started.action == action) return fail("no start of " + std::string(name), started_text(started));
   }

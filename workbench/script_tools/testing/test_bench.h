@@ -118,7 +118,6 @@ class TestBench {
   void expect_text(std::string_view text, const std::vector<std::string>& seen, const std::string& what);
   bool has_lease(std::string_view name) const;
   std::string commands_seen() const;
-  std::uint16_t action_named(std::string_view name) const;
   std::string started_text(const StartedAction& started) const;
 
   std::filesystem::path root_;

@@ -22,7 +22,7 @@ struct LinkMeasurement {
   double time = 0.0;            ///< s
   std::uint64_t delivered = 0;  ///< bytes that the viewer has acknowledged
   std::size_t waiting = 0;      ///< bytes before a new message, those on their way among them
-  double unanswered = 0.0;      ///< s that the oldest bytes wait for an acknowledgment; 0: there are none
+  double unanswered = 0.0;      ///< s that the oldest bytes wait for an acknowledgment; 0: all are acknowledged
   double round_trip = 0.0;      ///< s, the shortest so far
 };
 
