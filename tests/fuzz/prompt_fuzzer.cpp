@@ -157,7 +157,7 @@ class Trial {
     inputs_.script_edits.clear();
     inputs_.observation.time += kStep;
     inputs_.observation.body.time = inputs_.observation.time;
-    scene_.scenario = scenario_->tick({engine_->record().world, std::nullopt});
+    scene_.scenario = scenario_->tick({engine_->record().world, engine_->record().application, std::nullopt});
     console_->observe(engine_->record(), scene_);
     require(engine_->record().faults.empty() && scene_.scenario.faults.empty(),
             "no typed text causes a fault of a behavior");

@@ -70,6 +70,26 @@ test("a shown instant stays while frames arrive", () => {
   assert.ok(store.isLive);
 });
 
+test("a held view is the last complete frame, and does not change when messages follow", () => {
+  const store = filled(3);
+  store.receive("/camera/upper/image", 3 * STEP, encode(image(3 * STEP))); // the world of this frame follows
+  store.toggleHold();
+  const held = store.shown();
+  assert.equal(held.evidence, 2);
+  store.hold();
+  store.receive("/world", 3 * STEP, encode(world(3)));
+  assert.equal(store.read("/world").value.confidence.evidence, 2);
+  assert.equal(store.shown(), held);
+  store.toggleHold();
+  assert.ok(store.isLive);
+});
+
+test("a view without frames cannot be held", () => {
+  const store = new Store();
+  store.toggleHold();
+  assert.ok(store.isLive);
+});
+
 test("an instant outside of the stored time is the nearest stored frame", () => {
   const store = filled(30);
   store.show(-5);

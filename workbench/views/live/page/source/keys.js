@@ -86,7 +86,7 @@ export function onKey(event, actions) {
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   const panel = panels.find((it) => it.key === key);
   const handlers = {
-    " ": () => store.show(store.isLive ? store.newest : null),
+    " ": () => store.toggleHold(),
     l: () => store.show(null),
     ArrowLeft: () => move(event, -1),
     ArrowRight: () => move(event, 1),

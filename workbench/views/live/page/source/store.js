@@ -270,6 +270,18 @@ export class Store {
     this.onShow();
   }
 
+  /// Keeps the frame that is shown live. The newest would lack the messages that still come.
+  hold() {
+    const shown = this.shown();
+    if (this.isLive && shown) this.show(shown.time);
+  }
+
+  /// Holds the shown frame, or follows the robot again.
+  toggleHold() {
+    if (this.isLive) this.hold();
+    else this.show(null);
+  }
+
   /// Shows the frame `count` after the shown one.
   step(count) {
     const index = Math.max(0, Math.min(this.shownIndex() + count, this.frames.length - 1));

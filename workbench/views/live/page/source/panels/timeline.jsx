@@ -172,7 +172,7 @@ function usePointer() {
       event.preventDefault();
       if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
         const amount = ((event.deltaX || event.deltaY) / Math.max(1, view.width)) * settings.span;
-        if (store.isLive) store.show(store.newest);
+        store.hold();
         view.end = Math.min(store.newest, view.end + amount);
         changedByUser();
         return;
@@ -247,7 +247,7 @@ function Timeline() {
           id="pause"
           aria-pressed={!store.isLive}
           title="Space"
-          onClick={() => store.show(store.isLive ? store.newest : null)}
+          onClick={() => store.toggleHold()}
         >
           {store.isLive ? "Pause view" : "Back to live"}
         </button>
