@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time of scripts: a frame of all shipped behaviors, one call, a reload, stopping a runaway script.
+// Time of scripts: a frame of all shipped behaviors, of behaviors that run others, one call, a reload, stopping a
+// runaway script.
 #include <filesystem>
 #include <string>
 
@@ -46,6 +47,74 @@ void BM_FrameOfAllShippedBehaviors(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_FrameOfAllShippedBehaviors);
+
+/// A behavior with two states, which looks at a point. `callee`: what it runs in both; empty: nothing.
+std::string looking_behavior(const std::string& name, const std::string& callee) {
+  const std::string run =
+      callee.empty() ? "" : "run \"" + callee + "\" { x = function() return 0.1 * pose.x end, y = 0.2 },";
+  return R"(local a = args {
+  x = { 0.0, range = { -10, 10 }, unit = "m", doc = "where" },
+  y = { 0.0, range = { -10, 10 }, unit = "m", doc = "where" },
+}
+local function look() head.look(math.atan(a.y - pose.y, a.x - pose.x) - pose.rotation, 0.1) end
+behavior ")" +
+         name + R"(" { initial = "near",
+  state "near" { update = look, )" +
+         run + R"( { "far", when = function() return pose.x > 0.85 end } },
+  state "far" { update = look, )" +
+         run + R"( { "near", when = function() return pose.x < 0.15 end, lasting = 0.1 } } })";
+}
+
+/// Twelve behaviors: each by its own name, or four that run four which run four.
+ScriptTexts twelve_behaviors(bool call) {
+  ScriptTexts texts;
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "b" + std::to_string(i);
+    const std::string callee = call && i < 8 ? "b" + std::to_string(i + 4) : "";
+    texts.apply({"behaviors/" + name + ".lua", ScriptText{looking_behavior(name, callee), ""}});
+  }
+  return texts;
+}
+
+void frame_of_twelve_behaviors(benchmark::State& state, bool call) {
+  ParameterRegistry parameters;
+  Behaviors behaviors(twelve_behaviors(call), parameters);
+  for (int i = 0; i < (call ? 4 : 12); ++i) behaviors.host().load("b" + std::to_string(i));
+  if (behaviors.host().definitions().size() != 12) state.SkipWithError("expected 12 machines");
+  World world = world_of(FieldDimensions(), RobotBody());
+  for ([[maybe_unused]] auto _ : state) {
+    step(world);
+    behaviors.tick(world);
+    benchmark::DoNotOptimize(behaviors.wanted());
+  }
+}
+BENCHMARK_CAPTURE(frame_of_twelve_behaviors, alone, false);
+BENCHMARK_CAPTURE(frame_of_twelve_behaviors, in_three_levels, true);
+
+/// A behavior that four others run: four scripts are compiled, and continue.
+void BM_ReloadOfACalledBehavior(benchmark::State& state) {
+  ParameterRegistry parameters;
+  ScriptTexts texts;
+  texts.apply({"behaviors/called.lua", ScriptText{looking_behavior("called", ""), ""}});
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "b" + std::to_string(i);
+    texts.apply({"behaviors/" + name + ".lua", ScriptText{looking_behavior(name, "called"), ""}});
+  }
+  Behaviors behaviors(std::move(texts), parameters);
+  for (int i = 0; i < 4; ++i) behaviors.host().load("b" + std::to_string(i));
+  World world = world_of(FieldDimensions(), RobotBody());
+  std::vector<ScriptEdit> edits(1);
+  int count = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    edits[0] = {"behaviors/called.lua",
+                ScriptText{looking_behavior("called", "") + "-- " + std::to_string(++count), ""}};
+    if (behaviors.host().apply(edits).size() != 4) state.SkipWithError("expected four reloads");
+    step(world);
+    behaviors.tick(world);
+    benchmark::DoNotOptimize(behaviors.wanted());
+  }
+}
+BENCHMARK(BM_ReloadOfACalledBehavior)->Unit(benchmark::kMicrosecond);
 
 /// One behavior whose `update` is an empty function: the time of a call from C++.
 void BM_CallOfAnEmptyFunction(benchmark::State& state) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/language/called_view.h"
 #include "engine/script/sandbox/binding.h"
 #include "engine/script/script_error.h"
 
@@ -45,7 +46,8 @@ void refuse(const std::vector<ScriptFault>& faults) {
 }  // namespace
 
 Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
-               const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes)
+               const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes,
+               const std::optional<CalledAs>& called)
     : texts_(&texts),
       sources_(texts.root()),
       language_(language),
@@ -70,9 +72,10 @@ Script::Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage
   is_loaded_ = true;
   texts_ = nullptr;
   hashes_ = nullptr;
-  if (!declarations_->machines.empty()) return;
   const std::string word(to_string(language.kind()));
-  throw ScriptError({file, 1, "missing declaration: expected " + word + " \"name\" { ... }", {}});
+  if (declarations_->machines.empty())
+    throw ScriptError({file, 1, "missing declaration: expected " + word + " \"name\" { ... }", {}});
+  if (called) name_as_called(*called);
 }
 
 void Script::add_globals(const MachineDirectory& directory) {
@@ -81,6 +84,7 @@ void Script::add_globals(const MachineDirectory& directory) {
   add_script_functions(L, language_);
   language_.add_globals(L);
   add_behavior_view(L, directory);
+  if (language_.kind() == ScriptKind::behavior) add_called_view(L, directory, language_.actions());
   declarations_ = std::make_unique<Declarations>(
       L, language_.kind() == ScriptKind::scenario,
       [this](const std::string& name) -> const SourceLocations& {
@@ -208,7 +212,9 @@ int Script::print(lua_State* L) {
 
 std::vector<ParameterDeclaration> Script::parameters() const {
   std::vector<ParameterDeclaration> all;
-  for (const DeclaredParameter& parameter : declarations_->parameters) all.push_back(parameter.declaration);
+  for (const DeclaredParameter& parameter : declarations_->parameters) {
+    if (!parameter.is_argument) all.push_back(parameter.declaration);
+  }
   return all;
 }
 
@@ -237,6 +243,7 @@ void Script::begin_frame(std::span<const double> world) {
   if (parameter_revision_ != registry_.revision()) {
     parameter_revision_ = registry_.revision();
     for (DeclaredParameter& parameter : declarations_->parameters) {
+      if (parameter.is_argument) continue;
       const Parameter* known = registry_.find(parameter.declaration.name);
       if (known != nullptr) declarations_->set_value(parameter, known->value);
     }

@@ -26,12 +26,25 @@ namespace reorient {
 /// The files of a script as they were read, by name; no hash: the file was missing.
 using BundleHashes = std::map<std::string, std::optional<std::uint64_t>>;
 
+/// A behavior that another one runs.
+struct CalledAs {
+  std::string behavior;   ///< "walk_to": the name of its file and its machine
+  std::string caller;     ///< name of the machine that runs it
+  double priority = 0.0;  ///< of that machine
+};
+template <typename Visit, ConstOr<CalledAs> T>
+void fields(Visit&& visit, T& called) {
+  visit(called.behavior, called.caller, called.priority);
+}
+
 class Script : public MachineCallbacks {
  public:
   /// Reads, compiles, runs the declarations and validates them. Throws ScriptError. `hashes` gets every file that it
-  /// tried to read, also on failure. All references except `texts` and `hashes` must outlive the script.
+  /// tried to read, also on failure. All references except `texts` and `hashes` must outlive the script. `called`: its
+  /// machine has the name of its caller, too.
   Script(const ScriptTexts& texts, const std::string& file, ScriptLanguage& language, const ScriptLimits& limits,
-         const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes);
+         const ParameterRegistry& parameters, const MachineDirectory& directory, BundleHashes& hashes,
+         const std::optional<CalledAs>& called = {});
   Script(const Script&) = delete;
   Script& operator=(const Script&) = delete;
 
@@ -39,6 +52,11 @@ class Script : public MachineCallbacks {
   /// Gives all names of the machines their numbers.
   void intern(Names& names);
   std::vector<ParameterDeclaration> parameters() const;
+  std::vector<ParameterDeclaration> arguments() const;
+  void set_priority(double priority);
+  /// Sets every argument: to the value that is given, or to its default. A function is called in `caller`, whose
+  /// machine is in `state`. Throws ScriptError of the caller.
+  void take_arguments(std::span<const CallArgument> given, Script& caller, Machine& machine, int state);
   Sandbox& sandbox() { return sandbox_; }
   const Sandbox& sandbox() const { return sandbox_; }
   const ScriptLimits& limits() const { return limits_; }
@@ -76,6 +94,9 @@ class Script : public MachineCallbacks {
   const SourceLocations& places_of(const std::string& file);
   void add_globals(const MachineDirectory& directory);
   void push_function(int function);
+  void name_as_called(const CalledAs& called);
+  ParameterValue argument_value(const ParameterDeclaration& argument, const CallArgument& given, Machine& machine,
+                                int state);
   Memory removed() const;
   void write(const Memory& memory, const Memory& removed, KeptFor version);
 

@@ -52,24 +52,32 @@ ScriptHost::ScriptHost(ScriptTexts texts, ScriptLanguage& language, ParameterReg
 
 ScriptHost::~ScriptHost() = default;
 
-void ScriptHost::load(const std::string& name) {
+void ScriptHost::load(const std::string& name, std::vector<CallArgument> arguments) {
   auto slot = std::make_unique<ScriptSlot>();
   slot->file = script_file(language_.folder(), name);
   for (const auto& other : slots_) {
-    if (other->file == slot->file) return;
+    if (other->file == slot->file && other->caller == nullptr) return;
   }
   std::unique_ptr<Script> script = compile(*slot, slot->read);
-  for (const ParameterDeclaration& declaration : script->parameters()) {
+  slot->given = std::move(arguments);
+  check_callers(*slot, *script);
+  std::vector<Callee> callees;
+  compile_callees(*slot, *script, slot->read, callees);
+  const auto check_overrides = [&](const Script& one) {
     // At the start an invalid setting is an error, which is not at a place of the script; at a reload it is clamped.
-    parameters_.check_override(declaration);
-  }
+    for (const ParameterDeclaration& declaration : one.parameters()) parameters_.check_override(declaration);
+  };
+  check_overrides(*script);
+  for (const Callee& callee : callees) check_overrides(*callee.script);
   swap_in(*slot, script);
   slots_.push_back(std::move(slot));
+  take_in_callees(*slots_.back(), callees);
 }
 
 std::unique_ptr<Script> ScriptHost::compile(const ScriptSlot& slot, BundleHashes& hashes) const {
   require_room(slots_, slot, limits_);
-  auto script = std::make_unique<Script>(texts_, slot.file, language_, limits_, parameters_, directory_, hashes);
+  auto script =
+      std::make_unique<Script>(texts_, slot.file, language_, limits_, parameters_, directory_, hashes, slot.called);
   refuse_taken_names(slot, *script);
   return script;
 }
@@ -116,6 +124,7 @@ std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<S
   }
   slot.machines = std::move(machines);
   slot.script.swap(script);
+  if (slot.called) slot.script->set_priority(slot.called->priority);
   slot.swapped_at = time_;
   slot.recent_errors = 0;
   slot.stopped = false;
@@ -129,15 +138,20 @@ ReloadRecord ScriptHost::reload(ScriptSlot& slot) {
   BundleHashes hashes;
   try {
     std::unique_ptr<Script> script = compile(slot, hashes);
+    check_callers(slot, *script);
+    std::vector<Callee> callees;
+    compile_callees(slot, *script, hashes, callees);
     const bool runs_well = slot.recent_errors == 0 && !slot.stopped;
     const bool is_proven = slot.frames > 0 && time_ - slot.swapped_at >= limits_.trial_time;
     report.warnings = swap_in(slot, script);
+    take_in_callees(slot, callees);
     if (runs_well && (is_proven || !slot.last_good)) slot.last_good = std::move(script);
     report.accepted = true;
   } catch (const ScriptError& error) {
     report.fault = error.fault;
   }
   slot.read = std::move(hashes);
+  slot.was_refused = !report.accepted;
   return report;
 }
 
@@ -147,15 +161,21 @@ std::vector<ReloadRecord> ScriptHost::apply(std::span<const ScriptEdit> edits) {
     texts_.apply(edit);
     if (edit.again) again.insert(edit.file);
   }
-  std::vector<ReloadRecord> reports;
-  for (const auto& slot : slots_) {
-    const bool changed = std::any_of(slot->read.begin(), slot->read.end(), [&](const auto& file) {
+  const auto has_changed = [&](const ScriptSlot& slot) {
+    return std::any_of(slot.read.begin(), slot.read.end(), [&](const auto& file) {
       const ScriptText* const text = texts_.find(file.first);
       return again.contains(file.first) ||
              file.second != (text != nullptr ? std::optional<std::uint64_t>(content_hash(text->text + text->problem))
                                              : std::nullopt);
     });
-    if (changed) reports.push_back(reload(*slot));
+  };
+  std::vector<ReloadRecord> reports;
+  // A reload may add and remove the slots after its own, which are the behaviors that it runs.
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    ScriptSlot& slot = *slots_[i];
+    // A behavior that was refused because of its caller gets another chance with the caller's new version.
+    const bool is_retried = slot.was_refused && slot.caller != nullptr && slot.caller->swapped_at == time_;
+    if (has_changed(slot) || is_retried) reports.push_back(reload(slot));
   }
   if (names_.size() > Names::kMany) renew_names();
   return reports;
@@ -183,26 +203,39 @@ const ScriptOutput& ScriptHost::tick(double time, std::span<const double> world)
     }
   }
   read_published(published_);
-  for (const auto& slot : slots_) tick(*slot, world);
+  for (const auto& slot : slots_) {
+    if (slot->caller == nullptr) tick(*slot, world);  // with the behaviors that it runs
+  }
+  renew_callees();
   return output_;
 }
 
-/// A stopped script holds no leases; once it is fixed, it resumes its state and its leases.
+/// A script that does not run holds no leases; once it is fixed, it resumes its state and its leases.
 void ScriptHost::append_leases(std::vector<Lease>& leases) const {
   for (const auto& slot : slots_) {
-    if (slot->stopped) continue;
+    if (!slot->is_running()) continue;
     for (const ScriptSlot::Running& running : slot->machines) running.machine.append_leases(leases);
   }
 }
 
 void ScriptHost::tick(ScriptSlot& slot, std::span<const double> world) {
   if (slot.stopped) return;
+  run_frame(slot, world, [&] {
+    if (!slot.given.empty()) slot.script->take_arguments(slot.given, *slot.script, slot.machines.front().machine, 0);
+    for (ScriptSlot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
+  });
+  tick_callees(slot, world);
+}
+
+/// Calls `run`, which runs the machines of a script, and notes what it costs and where it fails.
+template <typename Run>
+void ScriptHost::run_frame(ScriptSlot& slot, std::span<const double> world, Run&& run) {
   const auto begin = std::chrono::steady_clock::now();
   ++slot.frames;
   slot.script->begin_frame(world);
   std::optional<ScriptFault> failure;
   try {
-    for (ScriptSlot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
+    run();
   } catch (ScriptError& error) {
     failure = std::move(error.fault);
   }
@@ -239,6 +272,7 @@ FaultRecord::Consequence ScriptHost::count_fault(ScriptSlot& slot, const ScriptF
     return FaultRecord::Consequence::stopped;
   }
   std::unique_ptr<Script> script = std::move(slot.last_good);
+  slot.has_other_calls = true;
   for (const std::string& warning : swap_in(slot, script)) {
     const NameId machine = slot.machines.empty() ? kNoName : slot.machines.front().machine.definition().name_id;
     output_.logs.push_back({machine, kNoName, "the previous version took over: " + warning, 0, false});
@@ -302,7 +336,7 @@ void ScriptHost::read_costs(std::vector<MachineCost>& all) const {
 void ScriptHost::read_published(std::vector<NameId>& all) const {
   all.clear();
   for (const auto& slot : slots_) {
-    if (slot->stopped) continue;
+    if (!slot->is_running()) continue;
     for (const ScriptSlot::Running& running : slot->machines) running.machine.append_published(all);
   }
 }

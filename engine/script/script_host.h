@@ -55,9 +55,9 @@ class ScriptHost : public MachineDirectory {
   ScriptHost(const ScriptHost&) = delete;
   ScriptHost& operator=(const ScriptHost&) = delete;
 
-  /// "orientation" or "behaviors/orientation.lua". Throws ScriptError; without effect if the script is already
-  /// loaded.
-  void load(const std::string& name);
+  /// "orientation" or "behaviors/orientation.lua", and the behaviors that it runs. Throws ScriptError; without effect
+  /// if the script is already loaded. `arguments`: values for its `args`, as a caller gives them.
+  void load(const std::string& name, std::vector<CallArgument> arguments = {});
 
   /// One frame: every machine ticks, in the order of loading. `world`: values in the order of the language's fields.
   /// The output is valid until the next tick.
@@ -86,18 +86,42 @@ class ScriptHost : public MachineDirectory {
 
   /// The declared machines, for graphs, checks and coverage.
   std::vector<const MachineDefinition*> definitions() const;
+  /// The `args` of a script that was loaded by name.
+  std::vector<ParameterDeclaration> arguments_of(const std::string& file) const;
   /// The fields of each required module, by its name ("lib.walk").
   std::map<std::string, std::set<std::string>> module_fields() const;
 
   bool look_up(std::string_view name, MachineSight& sight) const override;
   bool is_published(std::string_view flag) const override;
+  bool look_up_called(const Machine& caller, std::string_view behavior, CalledSight& sight) const override;
 
  private:
+  using Slots = std::vector<std::unique_ptr<ScriptSlot>>;
+  /// A behavior that another one runs, before its caller was accepted.
+  struct Callee {
+    std::unique_ptr<ScriptSlot> slot;
+    std::unique_ptr<Script> script;
+  };
+
   std::unique_ptr<Script> compile(const ScriptSlot& slot, BundleHashes& hashes) const;
   void refuse_taken_names(const ScriptSlot& slot, const Script& script) const;
   std::vector<std::string> swap_in(ScriptSlot& slot, std::unique_ptr<Script>& script);
   ReloadRecord reload(ScriptSlot& slot);
   void tick(ScriptSlot& slot, std::span<const double> world);
+  template <typename Run>
+  void run_frame(ScriptSlot& slot, std::span<const double> world, Run&& run);
+
+  // Behaviors that others run (script_calls.cpp).
+  void compile_callees(ScriptSlot& slot, const Script& script, BundleHashes& hashes, std::vector<Callee>& all) const;
+  void take_in_callees(ScriptSlot& slot, std::vector<Callee>& callees);
+  void remove(ScriptSlot& slot);
+  void set_priorities(ScriptSlot& slot);
+  void renew_callees();
+  void check_callers(const ScriptSlot& slot, const Script& script) const;
+  void tick_callees(ScriptSlot& caller, std::span<const double> world);
+  void tick_callee(ScriptSlot& caller, ScriptSlot& callee, std::span<const double> world);
+  bool give_arguments(ScriptSlot& caller, ScriptSlot& callee, Machine& machine, const CallDefinition& call);
+
   void note_faults(ScriptSlot& slot, std::vector<ScriptFault> faults);
   FaultRecord::Consequence count_fault(ScriptSlot& slot, const ScriptFault& fault);
   void renew_names();
@@ -110,7 +134,7 @@ class ScriptHost : public MachineDirectory {
   const ScriptLimits& limits_;
   const MachineDirectory& directory_;
   Names names_;
-  std::vector<std::unique_ptr<ScriptSlot>> slots_;
+  Slots slots_;  ///< each before the behaviors that it runs
   ScriptOutput output_;
   std::vector<NameId> published_;  ///< at the start of the frame
   double time_ = 0.0;

@@ -4,14 +4,36 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/script/machine/machine.h"
 #include "engine/script/script.h"
+#include "geometry/const_or.h"
 
 namespace reorient {
+
+/// The state of its caller in which a called behavior runs, since when that was entered.
+struct CallVisit {
+  std::string state;  ///< path
+  double entered_at = 0.0;
+};
+template <typename Visit, ConstOr<CallVisit> T>
+void fields(Visit&& visit, T& call) {
+  visit(call.state, call.entered_at);
+}
+
+/// How a called behavior ended.
+struct CallEnd {
+  BehaviorEnd how = BehaviorEnd::none;
+  std::string reason;  ///< of the transition into the state that ended it
+};
+template <typename Visit, ConstOr<CallEnd> T>
+void fields(Visit&& visit, T& end) {
+  visit(end.how, end.reason);
+}
 
 /// One script: its current version, the last good one, and its state in the engine.
 struct ScriptSlot {
@@ -43,6 +65,29 @@ struct ScriptSlot {
   std::int64_t frames = 0;
   std::int64_t instructions_before = 0;
   double microseconds = 0.0;
+
+  // Of a behavior that another one runs (script_calls.cpp). Its machines are one.
+  std::optional<CalledAs> called;
+  ScriptSlot* caller = nullptr;      ///< nullptr: it was loaded by name
+  std::vector<ScriptSlot*> callees;  ///< of all machines
+  std::optional<CallVisit> visit;    ///< nothing: the caller is not in a state that runs it
+  CallEnd end;                       ///< of the latest visit; none: it has not ended, or was left before
+  std::vector<CallArgument> given;   ///< of a behavior that was loaded by name
+  bool was_refused = false;          ///< its latest version was not accepted
+  bool has_other_calls = false;      ///< a rollback has replaced the version that declares its callees
+
+  Machine* machine_named(std::string_view name) {
+    for (Running& running : machines) {
+      if (running.machine.definition().name == name) return &running.machine;
+    }
+    return nullptr;
+  }
+  /// Whether its machines run: it is not stopped, and neither are its callers, which are in states that run it.
+  bool is_running() const {
+    if (stopped) return false;
+    return caller == nullptr ||
+           (visit && machines.front().machine.outcome() == BehaviorEnd::none && caller->is_running());
+  }
 };
 
 /// Bounds what all scripts may use together, because a recording brings the limits of its scripts. Call it before a

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The state of the scripts as bytes. Lua's own memory is not included: a script is compiled again from its texts
 // and gets its kept values back.
+#include <algorithm>
+
 #include "engine/script/script_error.h"
 #include "engine/script/script_host.h"
 #include "engine/script/script_slot.h"
@@ -13,7 +15,8 @@ constexpr std::uint32_t kMostScripts = 1000;
 template <typename Archive>
 void archive_counters(Archive& archive, ScriptSlot& slot) {
   archive(slot.file, slot.read, slot.swapped_at, slot.recent_errors, slot.errors, slot.last_error_at, slot.last_error,
-          slot.stopped, slot.frames, slot.instructions_before);
+          slot.stopped, slot.frames, slot.instructions_before, slot.called, slot.visit, slot.end, slot.given,
+          slot.was_refused);
 }
 
 /// Limits outside of their ranges could let a script run forever.
@@ -29,12 +32,17 @@ void save_script(ByteWriter& out, Script& script) {
   out(script.limits(), script.sources(), script.memory(left_out), script.sandbox());
 }
 
+constexpr std::uint32_t kNoCaller = kMostScripts;
+
 }  // namespace
 
 void ScriptHost::save(ByteWriter& out) const {
   out(texts_, names_, time_, static_cast<std::uint32_t>(slots_.size()));
   for (const auto& slot : slots_) {
     archive_counters(out, *slot);
+    const auto caller =
+        std::find_if(slots_.begin(), slots_.end(), [&](const auto& it) { return it.get() == slot->caller; });
+    out(slot->caller == nullptr ? kNoCaller : static_cast<std::uint32_t>(caller - slots_.begin()));
     save_script(out, *slot->script);
     for (const ScriptSlot::Running& running : slot->machines) out(running.machine);
     out(slot->last_good != nullptr);
@@ -49,14 +57,25 @@ void ScriptHost::restore(ByteReader& in) {
   for (std::uint32_t i = 0; i < count; ++i) {
     auto slot = std::make_unique<ScriptSlot>();
     restore(*slot, in);
+    if (slot->caller != nullptr) slot->caller->callees.push_back(slot.get());
     slots_.push_back(std::move(slot));
   }
 }
 
 void ScriptHost::restore(ScriptSlot& slot, ByteReader& in) {
   archive_counters(in, slot);
-  for (const auto& other : slots_) check_bytes(other->file != slot.file, "script: listed twice");
+  std::uint32_t caller = kNoCaller;
+  in(caller);
+  check_bytes(caller < slots_.size() || caller == kNoCaller, "script: unknown caller");
+  if (caller != kNoCaller) slot.caller = slots_[caller].get();
+  check_bytes(slot.called.has_value() == (slot.caller != nullptr), "script: expected a caller");
+  check_bytes(!slot.called || slot.caller->machine_named(slot.called->caller) != nullptr, "script: unknown caller");
+  for (const auto& other : slots_) {
+    const bool is_same_call = slot.caller == nullptr || (other->called && other->called->caller == slot.called->caller);
+    check_bytes(other->file != slot.file || other->caller != slot.caller || !is_same_call, "script: listed twice");
+  }
   slot.script = restored_script(slot, in);
+  check_bytes(slot.caller == nullptr || slot.script->machines().size() == 1, "script: expected one machine");
   for (const MachineDefinition& definition : slot.script->machines()) {
     slot.machines.push_back({Machine(definition), {}, 0.0});
     in(slot.machines.back().machine);
@@ -80,7 +99,8 @@ std::unique_ptr<Script> ScriptHost::restored_script(const ScriptSlot& slot, Byte
   BundleHashes ignored;
   try {
     require_room(slots_, slot, limits);
-    auto script = std::make_unique<Script>(sources, slot.file, language_, limits, parameters_, directory_, ignored);
+    auto script =
+        std::make_unique<Script>(sources, slot.file, language_, limits, parameters_, directory_, ignored, slot.called);
     refuse_taken_names(slot, *script);
     in(script->sandbox());
     script->restore(memory);

@@ -11,7 +11,8 @@ void append_transitions(const NameTable& names, const std::vector<TransitionReco
                         std::vector<TimelineEvent>& events) {
   for (const TransitionRecord& record : transitions) {
     const std::string& from = names[record.from];
-    const std::string change = (from.empty() ? "> " : from + " > ") + names[record.to];
+    const std::string change =
+        (from.empty() ? "> " : from + " > ") + (record.to == kNoName ? "stopped" : names[record.to]);
     events.push_back({time, names[record.machine], change, "", names[record.reason], "", false});
   }
 }

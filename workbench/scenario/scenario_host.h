@@ -56,6 +56,9 @@ class RecordedBehaviors : public MachineDirectory {
   }
   bool look_up(std::string_view name, MachineSight& sight) const override;
   bool is_published(std::string_view flag) const override;
+  bool look_up_called(const Machine& /*caller*/, std::string_view /*behavior*/, CalledSight& /*sight*/) const override {
+    return false;  // a scenario runs no behaviors
+  }
 
  private:
   const NameTable* names_ = nullptr;

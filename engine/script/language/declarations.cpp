@@ -123,66 +123,65 @@ void Declarations::add(const char* name) {
 Declarations::Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, Preview preview)
     : lua_(L), is_scenario_(is_scenario), places_of_(std::move(places_of)), preview_(std::move(preview)) {
   add<&Declarations::param>("param");
+  if (!is_scenario) add<&Declarations::args>("args");
   add<&Declarations::keep>("keep");
   add<&Declarations::state>("state");
+  if (!is_scenario) add<&Declarations::run>("run");
   add<&Declarations::machine>(is_scenario ? "scenario" : "behavior");
 }
 
+/// `name`: for messages, such as "param speed".
 ParameterDeclaration Declarations::read_parameter_declaration(lua_State* L, const std::string& name) {
   const int table = lua_gettop(L);
   check_keys(L, table, {"range", "unit", "doc", "choices", "integer"});
   ParameterDeclaration declaration;
   declaration.unit = as_line(raw_text(L, table, "unit"));
   declaration.description = as_line(raw_text(L, table, "doc"));
-  if (declaration.description.empty())
-    throw std::runtime_error("param " + name + ": missing description: doc = \"what it is\"");
+  if (declaration.description.empty()) throw std::runtime_error(name + ": missing description: doc = \"what it is\"");
   const int type = lua_rawgeti(L, table, 1);
   if (type == LUA_TBOOLEAN) {
     declaration.kind = ParameterKind::boolean;
     declaration.default_value = lua_toboolean(L, -1) != 0;
     lua_pop(L, 1);
-    refuse_keys(L, table, "param " + name + " is true or false", {"range", "choices", "integer"});
+    refuse_keys(L, table, name + " is true or false", {"range", "choices", "integer"});
     return declaration;
   }
   if (type == LUA_TSTRING) {
     declaration.kind = ParameterKind::choice;
     declaration.default_value = std::string(lua_tostring(L, -1));
     lua_pop(L, 1);
-    refuse_keys(L, table, "param " + name + " has a string as default, so it is a choice", {"range", "integer"});
-    if (raw_field(L, table, "choices") != LUA_TTABLE)
-      throw std::runtime_error("param " + name + ": missing choices = { ... }");
+    refuse_keys(L, table, name + " has a string as default, so it is a choice", {"range", "integer"});
+    if (raw_field(L, table, "choices") != LUA_TTABLE) throw std::runtime_error(name + ": missing choices = { ... }");
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     for (lua_Integer i = 1; i <= count; ++i) {
-      if (lua_rawgeti(L, -1, i) != LUA_TSTRING) throw std::runtime_error("param " + name + ": choices must be strings");
+      if (lua_rawgeti(L, -1, i) != LUA_TSTRING) throw std::runtime_error(name + ": choices must be strings");
       declaration.choices.emplace_back(lua_tostring(L, -1));
       lua_pop(L, 1);
     }
     lua_pop(L, 1);
     return declaration;
   }
-  if (type != LUA_TNUMBER)
-    throw std::runtime_error("param " + name + ": missing default as first element: { 0.5, range = ... }");
+  if (type != LUA_TNUMBER) throw std::runtime_error(name + ": missing default as first element: { 0.5, range = ... }");
   const double number = lua_tonumber(L, -1);
   lua_pop(L, 1);
-  refuse_keys(L, table, "param " + name + " is a number", {"choices"});
+  refuse_keys(L, table, name + " is a number", {"choices"});
   raw_field(L, table, "integer");
   const bool whole = lua_toboolean(L, -1) != 0;
   lua_pop(L, 1);
   if (raw_field(L, table, "range") != LUA_TTABLE)
-    throw std::runtime_error("param " + name + ": missing range = { minimum, maximum }");
-  if (lua_rawlen(L, -1) != 2) throw std::runtime_error("param " + name + ": expected range = { minimum, maximum }");
+    throw std::runtime_error(name + ": missing range = { minimum, maximum }");
+  if (lua_rawlen(L, -1) != 2) throw std::runtime_error(name + ": expected range = { minimum, maximum }");
   declaration.minimum = raw_number(L, lua_gettop(L), 1, "range");
   declaration.maximum = raw_number(L, lua_gettop(L), 2, "range");
   lua_pop(L, 1);
-  if (declaration.minimum > declaration.maximum) throw std::runtime_error("param " + name + ": range is empty");
+  if (declaration.minimum > declaration.maximum) throw std::runtime_error(name + ": range is empty");
   constexpr double kMostWhole = std::numeric_limits<int>::max();
   if (whole &&
       (std::abs(number) > kMostWhole || declaration.maximum > kMostWhole || declaration.minimum < -kMostWhole)) {
-    throw std::runtime_error("param " + name + ": range is too large for a whole number");
+    throw std::runtime_error(name + ": range is too large for a whole number");
   }
   if (whole) {
-    if (number != std::floor(number))
-      throw std::runtime_error("param " + name + ": expected a whole number as default");
+    if (number != std::floor(number)) throw std::runtime_error(name + ": expected a whole number as default");
     declaration.kind = ParameterKind::integer;
     declaration.default_value = static_cast<int>(number);
   } else {
@@ -199,54 +198,83 @@ void Declarations::note(const std::string& file, std::vector<DeclarationError> e
         {error.file.empty() ? file : error.file, error.position.line, error.message, {}, error.position.column});
 }
 
-void Declarations::read_parameter(lua_State* L, const std::string& file) {
+void Declarations::read_parameter(lua_State* L, const Source& source) {
   const std::string key = lua_tostring(L, -2);
-  if (!is_name(key)) throw std::runtime_error("invalid name of a param '" + key + "' (expected letters, digits and _)");
+  const std::string word = source.word;
+  if (!is_name(key))
+    throw std::runtime_error("invalid name of " + std::string(source.is_argument ? "an argument" : "a param") + " '" +
+                             key + "' (expected letters, digits and _)");
   if (lua_type(L, -1) != LUA_TTABLE)
-    throw std::runtime_error("param " + key + ": expected a table { default, range = { 0, 1 }, doc = \"...\" }");
+    throw std::runtime_error(word + " " + key + ": expected a table { default, range = { 0, 1 }, doc = \"...\" }");
   DeclaredParameter parameter;
   parameter.key = key;
-  parameter.declaration = read_parameter_declaration(L, key);
-  parameter.declaration.name = stem_of(file) + "." + key;
-  require_printable(stem_of(file), "the name of a script with parameters");
-  for (const std::string& choice : parameter.declaration.choices) require_printable(choice, "a choice of param " + key);
+  parameter.is_argument = source.is_argument;
+  parameter.declaration = read_parameter_declaration(L, word + " " + key);
+  parameter.declaration.name = source.prefix + "." + key;
+  require_printable(source.prefix, "the name of a script with parameters");
+  for (const std::string& choice : parameter.declaration.choices)
+    require_printable(choice, "a choice of " + word + " " + key);
   parse_parameter(parameter.declaration,
                   to_text(parameter.declaration.default_value));  // the default must lie within the range
   for (const DeclaredParameter& other : parameters) {
     if (other.declaration.name == parameter.declaration.name) {
-      throw std::runtime_error("param " + parameter.declaration.name + " is declared twice");
+      throw std::runtime_error(word + " " + parameter.declaration.name + " is declared twice");
     }
+    if (other.key == key && other.is_argument != parameter.is_argument)
+      throw std::runtime_error(word + " " + key + ": the script has a param and an argument of this name");
   }
   parameters.push_back(std::move(parameter));
 }
 
 int Declarations::param(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  lua_settop(L, 1);
   const Place place = place_of(L, 1);
+  return read_parameters(L, {"param", place.file, place.line, stem_of(place.file), false});
+}
+
+/// Of the script's own file: its caller sees one list.
+int Declarations::args(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const Place place = place_of(L, 1);
+  const bool is_second =
+      std::any_of(parameters.begin(), parameters.end(), [](const auto& it) { return it.is_argument; });
+  if (is_second) throw std::runtime_error("args is declared twice (expected one list)");
+  if (!place.file.starts_with("behaviors/"))
+    throw std::runtime_error("args: expected in the file of a behavior, found in " + place.file);
+  return read_parameters(L, {"args", place.file, place.line, "args", true});
+}
+
+/// Leaves the table of the values on the stack.
+int Declarations::read_parameters(lua_State* L, const Source& source) {
+  lua_settop(L, 1);
   const std::size_t first = parameters.size();
   std::vector<DeclarationError> errors;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING) throw std::runtime_error("expected named params: param { name = { ... } }");
+    if (lua_type(L, -2) != LUA_TSTRING) {
+      const std::string word = source.word;
+      throw std::runtime_error("expected named " + word + (source.is_argument ? "" : "s") + ": " + word +
+                               " { name = { ... } }");
+    }
     const int key = lua_gettop(L) - 1;
     try {
-      read_parameter(L, place.file);
+      read_parameter(L, source);
     } catch (const std::runtime_error& error) {
-      refused_.push_back(stem_of(place.file) + "." + lua_tostring(L, key));
-      const TextPosition from{place.line, 0};
+      refused_.push_back(source.prefix + "." + lua_tostring(L, key));
+      const TextPosition from{source.line, 0};
       constexpr TextPosition kEnd{std::numeric_limits<int>::max(), 0};
-      errors.push_back({places_of_(place.file).key(lua_tostring(L, key), from, kEnd).value_or(from), error.what()});
+      errors.push_back({places_of_(source.file).key(lua_tostring(L, key), from, kEnd).value_or(from), error.what()});
       lua_settop(L, key + 1);
     }
   }
-  note(place.file, std::move(errors));
+  note(source.file, std::move(errors));
   lua_newtable(L);
   for (std::size_t i = first; i < parameters.size(); ++i) {
     lua_pushvalue(L, -1);
     parameters[i].values = luaL_ref(L, LUA_REGISTRYINDEX);
-    set_value(parameters[i], preview_(parameters[i].declaration));
+    set_value(parameters[i],
+              source.is_argument ? parameters[i].declaration.default_value : preview_(parameters[i].declaration));
   }
-  make_read_only(L, "param " + stem_of(place.file));
+  make_read_only(L, source.is_argument ? "args" : "param " + source.prefix);
   return 1;
 }
 
@@ -273,23 +301,41 @@ int Declarations::keep(lua_State* L) {
   return 1;
 }
 
-int Declarations::state(lua_State* L) {
-  const std::string name = luaL_checkstring(L, 1);
-  if (name.empty() || name.find('/') != std::string::npos)
-    throw std::runtime_error("state: expected a name without '/'");
-  require_printable(name, "the name of a state");
+template <int (Declarations::*Body)(lua_State*)>
+int Declarations::await_table(lua_State* L) {
   lua_pushlightuserdata(L, this);
   lua_pushvalue(L, 1);
   const Place place = place_of(L, 1);
   lua_pushinteger(L, place.line);
   lua_pushlstring(L, place.file.data(), place.file.size());
-  lua_pushcclosure(L, &Declarations::bound<&Declarations::state_body>, 4);
+  lua_pushcclosure(L, &Declarations::bound<Body>, 4);
   return 1;
+}
+
+int Declarations::state(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (name.empty() || name.find('/') != std::string::npos)
+    throw std::runtime_error("state: expected a name without '/'");
+  require_printable(name, "the name of a state");
+  return await_table<&Declarations::state_body>(L);
 }
 
 int Declarations::state_body(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  mark_state(L, 1, {lua_upvalueindex(2), lua_upvalueindex(3), lua_upvalueindex(4)});
+  mark(L, 1, Marked::state, {lua_upvalueindex(2), lua_upvalueindex(3), lua_upvalueindex(4)});
+  lua_settop(L, 1);
+  return 1;
+}
+
+int Declarations::run(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (!is_name(name)) throw std::runtime_error("run: expected the name of a behavior, found '" + name + "'");
+  return await_table<&Declarations::run_body>(L);
+}
+
+int Declarations::run_body(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  mark(L, 1, Marked::call, {lua_upvalueindex(2), lua_upvalueindex(3), lua_upvalueindex(4)});
   lua_settop(L, 1);
   return 1;
 }

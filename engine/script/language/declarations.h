@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of declarations in scripts: param, keep, state, behavior, scenario.
+// The functions of declarations in scripts: param, args, keep, state, run, behavior, scenario.
 #pragma once
 
 #include <deque>
@@ -16,11 +16,12 @@
 
 namespace reorient {
 
-/// A `param` of a script: its declaration, and where Lua stores its value.
+/// A `param` of a script or one of its `args`: its declaration, and where Lua stores its value.
 struct DeclaredParameter {
-  ParameterDeclaration declaration;  ///< named "file.name"
+  ParameterDeclaration declaration;  ///< named "file.name"; an argument: "args.name"
   std::string key;                   ///< "name"
   int values = LUA_NOREF;            ///< table in the registry
+  bool is_argument = false;          ///< its caller sets it, and nothing else
   double number = 0.0;               ///< current value, for dwell times
 };
 
@@ -55,13 +56,28 @@ class Declarations {
   void add(const char* name);
 
   int param(lua_State* L);
+  int args(lua_State* L);
   int keep(lua_State* L);
   int state(lua_State* L);
   int state_body(lua_State* L);
+  int run(lua_State* L);
+  int run_body(lua_State* L);
   int machine(lua_State* L);
   int machine_body(lua_State* L);
 
-  void read_parameter(lua_State* L, const std::string& file);
+  /// What declares parameters: a `param` or an `args`.
+  struct Source {
+    const char* word;
+    std::string file;
+    int line;
+    std::string prefix;  ///< of the names
+    bool is_argument;
+  };
+  int read_parameters(lua_State* L, const Source& source);
+  void read_parameter(lua_State* L, const Source& source);
+  /// Pushes what `name "text"` returns: a function that takes the table that follows.
+  template <int (Declarations::*Body)(lua_State*)>
+  int await_table(lua_State* L);
   ParameterDeclaration read_parameter_declaration(lua_State* L, const std::string& name);
 
   /// Adds errors to `faults`. The script continues, so that its other errors are found, too.

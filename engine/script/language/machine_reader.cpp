@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "engine/parameters/nearest_name.h"
+#include "engine/script/language/called_view.h"
+#include "engine/script/language/script_arguments.h"
 
 namespace reorient {
 namespace {
@@ -16,21 +18,25 @@ constexpr int kDeepestNesting = 16;
 constexpr std::size_t kMostStates = 1000;
 constexpr std::size_t kMostTransitions = 2000;  // one table can be in many states, so a few lines can make millions
 
+constexpr std::size_t kMostCalls = 100;
+
 // Their addresses are keys that no script can write.
-const char kStateName = 'n';
-const char kStateLine = 'l';
-const char kStateFile = 'f';
+const char kMarked = 'm';
+const char kMarkedName = 'n';
+const char kMarkedLine = 'l';
+const char kMarkedFile = 'f';
 
 constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter", "update", "exit"};
 constexpr const char* kScenarioKeys[] = {"priority",  "initial", "common",    "enter", "update",   "exit",
                                          "behaviors", "room",    "hall_seed", "field", "interface"};
-constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit", "publishes"};
+constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit", "publishes", "ends"};
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
-bool is_state(lua_State* L, int table) {
-  const bool marked = lua_rawgetp(L, table, &kStateName) != LUA_TNIL;
+std::optional<Marked> mark_of(lua_State* L, int table) {
+  const bool is_marked = lua_rawgetp(L, table, &kMarked) != LUA_TNIL;
+  const auto what = static_cast<Marked>(lua_tointeger(L, -1));
   lua_pop(L, 1);
-  return marked;
+  return is_marked ? std::optional(what) : std::nullopt;
 }
 
 std::string short_name(const std::string& parameter) { return parameter.substr(parameter.find('.') + 1); }
@@ -49,13 +55,15 @@ int raw_field(lua_State* L, int index, const char* name) {
   return lua_rawget(L, table);
 }
 
-void mark_state(lua_State* L, int table, StateMark mark) {
+void mark(lua_State* L, int table, Marked what, Mark mark) {
+  lua_pushinteger(L, static_cast<lua_Integer>(what));
+  lua_rawsetp(L, table, &kMarked);
   lua_pushvalue(L, mark.name);
-  lua_rawsetp(L, table, &kStateName);
+  lua_rawsetp(L, table, &kMarkedName);
   lua_pushvalue(L, mark.line);
-  lua_rawsetp(L, table, &kStateLine);
+  lua_rawsetp(L, table, &kMarkedLine);
   lua_pushvalue(L, mark.file);
-  lua_rawsetp(L, table, &kStateFile);
+  lua_rawsetp(L, table, &kMarkedFile);
 }
 
 MachineReader::MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
@@ -102,6 +110,7 @@ void MachineReader::read_state(int table, int state, SourceLocations::Table& pla
   definition.update = read_function(table, "update");
   definition.exit = read_function(table, "exit");
   definition.publishes = read_flag(table);
+  definition.ends = read_end(table);
   const int history = raw_field(lua_, table, "history");
   if (history != LUA_TNIL && history != LUA_TBOOLEAN) note_at("history", "history: expected true or false");
   definition.history = lua_toboolean(lua_, -1) != 0;
@@ -117,12 +126,19 @@ void MachineReader::read_state(int table, int state, SourceLocations::Table& pla
   --depth_;
 }
 
-/// Elements of a state's table without a key: states and transitions.
+/// Elements of a state's table without a key: states, calls and transitions.
 void MachineReader::read_item(int item, int state, SourceLocations::Table& place) {
   if (!lua_istable(lua_, item)) {
-    note("expected a state or a transition, found a " + std::string(luaL_typename(lua_, item)));
-  } else if (is_state(lua_, item)) {
+    const bool is_function = lua_isfunction(lua_, item);
+    note("expected a state, a transition or a run, found a " + std::string(luaL_typename(lua_, item)) +
+         (is_function ? " (a state or a run ends with a table: run \"walk_to\" { })" : ""));
+    return;
+  }
+  const std::optional<Marked> what = mark_of(lua_, item);
+  if (what == Marked::state) {
     read_inner_state(item, state);
+  } else if (what == Marked::call) {
+    read_call(item, state);
   } else {
     read_transition(item, state, false, place);
   }
@@ -132,9 +148,9 @@ void MachineReader::read_inner_state(int item, int parent) {
   if (machine_.states.size() >= kMostStates)
     throw std::runtime_error("too many states (expected at most " + std::to_string(kMostStates) + ")");
   const Here outside = here_;
-  lua_rawgetp(lua_, item, &kStateFile);
-  lua_rawgetp(lua_, item, &kStateLine);
-  lua_rawgetp(lua_, item, &kStateName);
+  lua_rawgetp(lua_, item, &kMarkedFile);
+  lua_rawgetp(lua_, item, &kMarkedLine);
+  lua_rawgetp(lua_, item, &kMarkedName);
   StateDefinition inner;
   inner.name = lua_tostring(lua_, -1);
   here_.file = lua_tostring(lua_, -3);
@@ -162,7 +178,7 @@ void MachineReader::read_common(int table, int state, SourceLocations::Table& pl
   if (type != LUA_TNIL && type != LUA_TTABLE) note_at("common", kMisread);
   const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(lua_, list)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(lua_, list, i) == LUA_TTABLE && !is_state(lua_, lua_gettop(lua_))) {
+    if (lua_rawgeti(lua_, list, i) == LUA_TTABLE && !mark_of(lua_, lua_gettop(lua_))) {
       read_transition(lua_gettop(lua_), state, true, place);
     } else {
       note_at("common", kMisread);
@@ -189,12 +205,59 @@ void MachineReader::read_transition(int table, int state, bool common, SourceLoc
   transition.position = here_.position;
   check_keys(table, kTransitionKeys);
   transition.when = read_function(table, "when");
+  transition.awaits = awaited_behavior(lua_, transition.when);
   transition.lasting = read_dwell(table, "lasting");
   transition.after = read_dwell(table, "after");
   transition.because = read_text(table, "because");
   machine_.states[state].transitions.push_back(static_cast<int>(machine_.transitions.size()));
   machine_.transitions.push_back(std::move(transition));
   here_.position = outside;
+}
+
+void MachineReader::read_call(int table, int state) {
+  if (machine_.is_scenario) return note("run: a scenario cannot run a behavior; list it in `behaviors`");
+  if (machine_.calls.size() >= kMostCalls)
+    throw std::runtime_error("too many runs (expected at most " + std::to_string(kMostCalls) + ")");
+  const Here outside = here_;
+  CallDefinition call;
+  call.state = state;
+  lua_rawgetp(lua_, table, &kMarkedFile);
+  lua_rawgetp(lua_, table, &kMarkedLine);
+  lua_rawgetp(lua_, table, &kMarkedName);
+  call.behavior = lua_tostring(lua_, -1);
+  here_.file = lua_tostring(lua_, -3);
+  const SourceLocations::Table place = places().table("run", call.behavior, static_cast<int>(lua_tointeger(lua_, -2)));
+  lua_pop(lua_, 3);
+  here_.position = call.position = place.position;
+  here_.end = places().end_of(place);
+  for (lua_pushnil(lua_); lua_next(lua_, table) != 0; lua_pop(lua_, 1)) {
+    if (lua_type(lua_, -2) == LUA_TSTRING) {
+      read_call_argument(call);
+    } else if (lua_type(lua_, -2) != LUA_TLIGHTUSERDATA) {
+      note("run \"" + call.behavior + "\": expected named arguments, as in { x = 1.0 }");
+    }
+  }
+  std::sort(call.arguments.begin(), call.arguments.end(),
+            [](const CallArgument& left, const CallArgument& right) { return left.name < right.name; });
+  machine_.calls.push_back(std::move(call));
+  here_ = outside;
+}
+
+/// The name and the value are on top of the stack.
+void MachineReader::read_call_argument(CallDefinition& call) {
+  CallArgument argument;
+  argument.name = lua_tostring(lua_, -2);
+  argument.position = places().key(argument.name, here_.position, here_.end).value_or(here_.position);
+  if (lua_isfunction(lua_, -1)) {
+    lua_pushvalue(lua_, -1);
+    argument.function = luaL_ref(lua_, LUA_REGISTRYINDEX);
+  } else if (std::optional<ParameterValue> value = parameter_value(lua_, -1)) {
+    argument.value = std::move(*value);
+  } else {
+    return note_at(argument.name, argument.name + ": expected a number, a boolean, a string, or a function, found a " +
+                                      luaL_typename(lua_, -1));
+  }
+  call.arguments.push_back(std::move(argument));
 }
 
 /// File of the functions that made a transition, since Lua has positions of functions, but not of tables. Empty: the
@@ -277,6 +340,14 @@ std::string MachineReader::read_flag(int table) {
   if (is_name) return flag;
   note_at("publishes", "publishes: expected a name of a-z, 0-9 and _, such as \"pose_is_searched\"");
   return {};
+}
+
+BehaviorEnd MachineReader::read_end(int table) {
+  const std::string text = read_text(table, "ends");
+  if (text == to_string(BehaviorEnd::done)) return BehaviorEnd::done;
+  if (text == to_string(BehaviorEnd::failed)) return BehaviorEnd::failed;
+  if (!text.empty()) note_at("ends", "ends: expected \"done\" or \"failed\", found \"" + text + "\"");
+  return BehaviorEnd::none;
 }
 
 double MachineReader::read_priority(int table) {

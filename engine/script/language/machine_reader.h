@@ -18,14 +18,17 @@ namespace reorient {
 /// Pushes the field of the table at `index`, without metamethods, and returns its type.
 int raw_field(lua_State* L, int index, const char* name);
 
-/// Stack indices of a state's name and position.
-struct StateMark {
+/// What a table of a machine declares, besides a transition.
+enum class Marked { state, call };
+
+/// Stack indices of a declaration's name and position.
+struct Mark {
   int name = 0;
   int line = 0;
   int file = 0;
 };
-/// Marks the table at `table` as a state.
-void mark_state(lua_State* L, int table, StateMark mark);
+/// Marks the table at `table` as a state, or as a call of a behavior.
+void mark(lua_State* L, int table, Marked what, Mark mark);
 
 class MachineReader {
  public:
@@ -50,11 +53,14 @@ class MachineReader {
   void read_inner_state(int item, int parent);
   void read_common(int table, int state, SourceLocations::Table& place);
   void read_transition(int table, int state, bool common, SourceLocations::Table& place);
+  void read_call(int table, int state);
+  void read_call_argument(CallDefinition& call);
   Dwell read_dwell(int table, const char* key);
   int find_parameter(const std::string& name);
   int read_function(int table, const char* key);
   std::string read_text(int table, const char* key);
   std::string read_flag(int table);
+  BehaviorEnd read_end(int table);
   double read_priority(int table);
   void read_behaviors(int table);
   void read_setting(int table);

@@ -40,6 +40,8 @@ class ScriptActions {
   void note(std::string_view text) { log(text, true); }
   double time_in_state();
 
+  /// The machine that runs now; nullptr while a script is loaded.
+  const Machine* running() const { return machine_; }
   bool is_loading() const { return phase_ == Phase::loading; }
   double time() const { return time_; }
 

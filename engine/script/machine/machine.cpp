@@ -43,6 +43,35 @@ void Machine::tick(MachineCallbacks& script, double time, std::vector<Transition
   for (const int state : active_) script.run(*this, state, definition_->states[state].update);
 }
 
+BehaviorEnd Machine::outcome() const { return definition_->states[active_.empty() ? 0 : active_.back()].ends; }
+
+const CallDefinition* Machine::active_call(std::string_view behavior) const {
+  if (outcome() != BehaviorEnd::none) return nullptr;
+  for (const CallDefinition& call : definition_->calls) {
+    if (call.behavior == behavior && is_active(call.state)) return &call;
+  }
+  return nullptr;
+}
+
+void Machine::stop(MachineCallbacks& script, std::vector<TransitionRecord>& transitions) {
+  if (active_.empty()) return;
+  const NameId from = state_id();
+  for (std::size_t i = active_.size(); i-- > 0;) {
+    script.run_exit(*this, active_[i], definition_->states[active_[i]].exit);
+  }
+  clear();
+  reason_ = definition_->left_id;
+  transitions.push_back({definition_->name_id, from, kNoName, reason_, -1});
+}
+
+void Machine::clear() {
+  active_.clear();
+  leases_.clear();
+  not_entered_ = 0;
+  lost_state_ = kNoName;
+  std::fill(last_child_.begin(), last_child_.end(), -1);
+}
+
 void Machine::append_published(std::vector<NameId>& all) const {
   for (const int state : active_) {
     const NameId flag = definition_->states[static_cast<std::size_t>(state)].publishes_id;

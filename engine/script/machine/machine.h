@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/script/machine/machine_definition.h"
@@ -67,12 +68,22 @@ class Machine {
   /// A started transition always completes its change of state, even if a function fails.
   void tick(MachineCallbacks& script, double time, std::vector<TransitionRecord>& transitions);
 
+  /// Leaves all states, from the inside out. The next tick starts the machine again, without memory of its states.
+  void stop(MachineCallbacks& script, std::vector<TransitionRecord>& transitions);
+
+  /// The same without a call of the script.
+  void clear();
+
   /// Path of the innermost active state; empty before the start.
   const std::string& state() const;
   NameId state_id() const;
   double entered_at(int state) const { return entered_[static_cast<std::size_t>(state)]; }
   double entered_at() const;                 ///< the innermost active state
   NameId reason() const { return reason_; }  ///< of the previous transition
+  /// Whether the active state ends the behavior.
+  BehaviorEnd outcome() const;
+  /// The call of this behavior in an active state; nullptr: none. A behavior that has ended calls no other one.
+  const CallDefinition* active_call(std::string_view behavior) const;
 
   /// Holds `pause` until `state` is left.
   void lease(Pause pause, int state);

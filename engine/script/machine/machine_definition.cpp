@@ -107,7 +107,67 @@ void resolve_transition(MachineDefinition& machine, TransitionDefinition& transi
   if (transition.because.empty()) transition.because = derived_reason(transition);
 }
 
+/// Along each path of states, a behavior runs once, so that its name identifies the call.
+void check_calls(const MachineDefinition& machine, std::vector<DeclarationError>& errors) {
+  for (std::size_t i = 0; i < machine.calls.size(); ++i) {
+    const CallDefinition& call = machine.calls[i];
+    const StateDefinition& state = machine.states[call.state];
+    if (state.ends != BehaviorEnd::none)
+      errors.push_back({call.position, title(state) + " ends the behavior, so it cannot run another one", state.file});
+    for (std::size_t j = 0; j < i; ++j) {
+      const CallDefinition& other = machine.calls[j];
+      const bool is_same_path =
+          machine.is_within(call.state, other.state) || machine.is_within(other.state, call.state);
+      if (other.behavior != call.behavior || !is_same_path) continue;
+      errors.push_back(
+          {call.position,
+           title(state) + ": " + in_quotes(call.behavior) + " already runs in " + title(machine.states[other.state]),
+           state.file});
+      break;
+    }
+  }
+}
+
+/// A behavior can only be awaited from a state that runs it, from an inner or an outer one.
+void check_awaited(const MachineDefinition& machine, const TransitionDefinition& transition,
+                   std::vector<DeclarationError>& errors) {
+  if (transition.awaits.empty()) return;
+  std::vector<std::string> names;
+  for (const CallDefinition& call : machine.calls) {
+    names.push_back(call.behavior);
+    const bool is_near =
+        machine.is_within(call.state, transition.from) || machine.is_within(transition.from, call.state);
+    if (call.behavior == transition.awaits && is_near) return;
+  }
+  const StateDefinition& from = machine.states[transition.from];
+  errors.push_back({transition.position,
+                    title(from) + " awaits " + in_quotes(transition.awaits) + ", which it does not run" +
+                        did_you_mean(transition.awaits, names),
+                    from.file});
+}
+
+void check_end(const StateDefinition& state, std::vector<DeclarationError>& errors) {
+  if (state.ends == BehaviorEnd::none) return;
+  if (state.path.empty()) errors.push_back({state.position, "ends: expected in a state", state.file});
+  if (!state.children.empty())
+    errors.push_back({state.position, title(state) + " ends the behavior, so it cannot have inner states", state.file});
+  if (!state.transitions.empty())
+    errors.push_back({state.position, title(state) + " ends the behavior, so it cannot have transitions", state.file});
+}
+
 }  // namespace
+
+std::string_view to_string(BehaviorEnd outcome) {
+  switch (outcome) {
+    case BehaviorEnd::none:
+      return "running";
+    case BehaviorEnd::done:
+      return "done";
+    case BehaviorEnd::failed:
+      return "failed";
+  }
+  return "";
+}
 
 int MachineDefinition::find(const std::string& path) const {
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -123,6 +183,7 @@ bool MachineDefinition::is_within(int state, int ancestor) const {
 
 void intern_names(MachineDefinition& machine, Names& names) {
   machine.name_id = names.intern(machine.name);
+  if (!machine.caller.empty()) machine.left_id = names.intern("its caller has left the state");
   for (StateDefinition& state : machine.states) {
     state.path_id = names.intern(state.path);
     if (!state.publishes.empty()) state.publishes_id = names.intern(state.publishes);
@@ -135,10 +196,13 @@ std::vector<DeclarationError> resolve(MachineDefinition& machine) {
   for (StateDefinition& state : machine.states) {
     check_duplicates(machine, state, errors);
     resolve_initial(machine, state, errors);
+    check_end(state, errors);
   }
+  check_calls(machine, errors);
   std::map<std::string, int> ordinals;
   for (TransitionDefinition& transition : machine.transitions) {
     resolve_transition(machine, transition, errors);
+    check_awaited(machine, transition, errors);
     const std::string key = machine.states[transition.from].path + " -> " + transition.target;
     transition.key = key + " #" + std::to_string(ordinals[key]++);
   }

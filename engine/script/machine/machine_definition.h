@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <lua.hpp>
 
+#include "engine/parameters/parameter.h"
 #include "engine/script/source/lua_tokens.h"
 #include "engine/world/names.h"
+#include "geometry/const_or.h"
 
 namespace reorient {
 
@@ -29,6 +32,7 @@ struct TransitionDefinition {
   std::string target;  ///< as written
   int to = -1;
   int when = LUA_NOREF;  ///< function
+  std::string awaits;    ///< behavior whose end `when` awaits, as in `done "walk_to"`; empty: another function
   Dwell lasting;         ///< time for which `when` must have held without interruption
   Dwell after;           ///< time since `from` was entered
   std::string because;   ///< the reason, never empty once validated
@@ -37,6 +41,34 @@ struct TransitionDefinition {
   std::string key;        ///< identifies it across reloads
   TextPosition position;  ///< in the file of `from`
   std::string maker;      ///< file of the function that made it; empty: written in place
+};
+
+/// How a behavior ended, for the behavior that runs it.
+enum class BehaviorEnd { none, done, failed };
+constexpr int enum_count(BehaviorEnd) { return 3; }
+
+/// "running", "done", "failed": the names in scripts.
+std::string_view to_string(BehaviorEnd outcome);
+
+/// An argument of a call: a value, or a function that the caller's script evaluates in every frame.
+struct CallArgument {
+  std::string name;
+  ParameterValue value = 0.0;  ///< without a function
+  int function = LUA_NOREF;
+  TextPosition position;
+};
+/// Of one without a function.
+template <typename Visit, ConstOr<CallArgument> T>
+void fields(Visit&& visit, T& argument) {
+  visit(argument.name, argument.value);
+}
+
+/// `run "walk_to" { ... }`: another behavior that runs while the state is active.
+struct CallDefinition {
+  int state = 0;
+  std::string behavior;
+  std::vector<CallArgument> arguments;
+  TextPosition position;  ///< in the file of `state`
 };
 
 struct StateDefinition {
@@ -51,7 +83,8 @@ struct StateDefinition {
   int enter = LUA_NOREF;
   int update = LUA_NOREF;
   int exit = LUA_NOREF;
-  std::string publishes;  ///< flag that scripts can read while it is active; empty: nothing
+  BehaviorEnd ends = BehaviorEnd::none;  ///< the behavior has ended, once this state is active
+  std::string publishes;                 ///< flag that scripts can read while it is active; empty: nothing
   NameId publishes_id = kNoName;
   std::vector<int> transitions;  ///< `common` ones first
   std::string file;              ///< of its text: the machine's, or a library's
@@ -67,17 +100,22 @@ struct ScenarioSetting {
 };
 
 struct MachineDefinition {
-  std::string name;
+  std::string name;    ///< "walk_to"; of a behavior that another one runs, with its name: "striker/walk_to"
+  std::string caller;  ///< name of the machine that runs this one; empty: it was loaded by name
   NameId name_id = kNoName;
+  NameId left_id = kNoName;  ///< the reason for which a called machine stops
   std::string file;
   TextPosition position;
-  double priority = 0.0;
+  double priority = 0.0;  ///< of a called behavior, that of its caller
   bool is_scenario = false;
   std::vector<std::string> behaviors;   ///< requested by a scenario
   ScenarioSetting setting;              ///< of a scenario
   std::vector<StateDefinition> states;  ///< the first is the machine itself; parents before children
   std::vector<TransitionDefinition> transitions;
+  std::vector<CallDefinition> calls;
 
+  /// The name without those of its callers: "walk_to".
+  std::string_view behavior() const { return std::string_view(name).substr(name.rfind('/') + 1); }
   /// -1: unknown state.
   int find(const std::string& path) const;
   bool is_within(int state, int ancestor) const;  ///< also where both are the same

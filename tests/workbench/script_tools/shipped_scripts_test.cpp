@@ -112,7 +112,8 @@ TEST(GeneratedFiles, ThePagesOfBehaviorsShowTheirStatesAndParameters) {
     }
     const std::filesystem::path page = (kScripts / file).replace_extension(".md");
     ASSERT_TRUE(std::filesystem::exists(page)) << page << " is missing (expected a page for every behavior)";
-    expect_committed(page, with_generated_parts(read(page), *behaviors.host().definitions().front(), own));
+    expect_committed(page, with_generated_parts(read(page), *behaviors.host().definitions().front(), own,
+                                                behaviors.host().arguments_of(file)));
     ++pages;
   }
   EXPECT_GE(pages, 9);

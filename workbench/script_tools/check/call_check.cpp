@@ -48,7 +48,7 @@ Meaning ScriptReading::read_call(const Meaning& called, const syntax::Suffix& ca
   std::vector<Meaning> arguments = read_all(call.arguments);
   check_callable(called, *call.place);
   if (called.function != nullptr && arguments.size() == 1) {
-    if (called.name == "param") return declared_parameters(arguments.front());
+    if (called.name == "param" || called.name == "args") return declared_parameters(called.name, arguments.front());
     if (called.name == "keep") {
       arguments.front().name.clear();
       return arguments.front();
@@ -239,13 +239,13 @@ bool ScriptReading::is_edited_in(const std::string& path) const {
 }
 
 /// The read-only table of the current values, each with the type of its default.
-Meaning ScriptReading::declared_parameters(const Meaning& declarations) {
-  Meaning values{kTable, "param"};
+Meaning ScriptReading::declared_parameters(const std::string& word, const Meaning& declarations) {
+  Meaning values{kTable, word};
   const auto facts = before_.tables.find(declarations.own_table);
   if (facts == before_.tables.end() || facts->second.is_open) return values;
   TableSymbol& table = parameter_tables_.emplace_back();
-  table.name = "param";
-  table.missing = "unknown param '";
+  table.name = word;
+  table.missing = word == "param" ? "unknown param '" : "unknown argument '";
   for (const auto& [name, field] : facts->second.fields) {
     if (field.writes > 0) table.fields[name];
   }

@@ -61,8 +61,8 @@ std::vector<DeclarationError> machine_warnings(const MachineDefinition& machine)
     const StateDefinition& state = machine.states[i];
     if (!reached[i]) {
       found.push_back({state.position, "state '" + state.path + "' is never reached", state.file});
-    } else if (!machine.is_scenario && state.children.empty() && machine.states[state.parent].children.size() > 1 &&
-               !has_exit(machine, static_cast<int>(i))) {
+    } else if (!machine.is_scenario && state.ends == BehaviorEnd::none && state.children.empty() &&
+               machine.states[state.parent].children.size() > 1 && !has_exit(machine, static_cast<int>(i))) {
       found.push_back({state.position, "no transition leaves state '" + state.path + "'", state.file});
     }
   }

@@ -171,7 +171,8 @@ class ScriptCheck {
 
   void take_in(const ScriptHost& host) {
     for (const MachineDefinition* machine : host.definitions()) {
-      for (DeclarationError& warning : machine_warnings(*machine))
+      const bool is_called = !machine->caller.empty();  // its file is checked by itself
+      for (DeclarationError& warning : is_called ? std::vector<DeclarationError>() : machine_warnings(*machine))
         result_.findings.push_back({Severity::warning, warning.file, warning.position, std::move(warning.message)});
       auto& machines = machine->is_scenario ? declared_.scenarios : declared_.behaviors;
       for (const StateDefinition& state : machine->states) {

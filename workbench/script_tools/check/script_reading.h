@@ -129,7 +129,7 @@ class ScriptReading {
   void check_format(const LuaToken& place, const std::vector<Meaning>& arguments);
   void check_state(const Meaning& machine, const Meaning& path);
   bool is_edited_in(const std::string& path) const;
-  Meaning declared_parameters(const Meaning& declarations);
+  Meaning declared_parameters(const std::string& word, const Meaning& declarations);
 
   void need(const Meaning& value, ValueTypes expected);
   static bool may_hold_a_number(const Meaning& value, ValueTypes expected);

@@ -86,11 +86,32 @@ class Vocabulary {
       machine->fields = {{"state", states.empty() ? Symbol{kString} : one_of(states)}, {"time_in_state", {kNumber}}};
       machines->fields[name] = {kTable, std::move(machine)};
     }
+    add_called();
     auto flags = new_table("published");
     flags->missing = "no state publishes '";
     for (const std::string& flag : declared_.published) flags->fields[flag] = {kBoolean};
     globals_.fields["behaviors"] = {kTable, std::move(machines)};
     globals_.fields["published"] = {kTable, std::move(flags)};
+  }
+
+  /// `called`: the behaviors that others run, whose machines are named "caller/behavior".
+  void add_called() {
+    auto all = new_table("called");
+    all->missing = "no behavior runs '";
+    std::map<std::string, std::set<std::string>> states;
+    for (const auto& [name, paths] : declared_.behaviors) {
+      if (const std::size_t slash = name.rfind('/'); slash != std::string::npos)
+        states[name.substr(slash + 1)].insert(paths.begin(), paths.end());
+    }
+    for (const auto& [name, paths] : states) {
+      auto one = new_table("called." + name);
+      one->fields = {{"outcome", one_of({"running", "done", "failed"})},
+                     {"reason", {kString}},
+                     {"state", one_of(paths)},
+                     {"time_in_state", {kNumber}}};
+      all->fields[name] = {kTable, std::move(one)};
+    }
+    globals_.fields["called"] = {kTable, std::move(all)};
   }
 
   /// `input` and `action`: the values and actions of all interfaces. A value that two of them declare differently may
@@ -253,7 +274,9 @@ SymbolTable symbol_table(ScriptRole role, const DeclaredNames& declared) {
   known.add_words(language_words());
   known.add_machines();
   if (role == ScriptRole::behavior) known.forget("scenario");
-  if (role == ScriptRole::scenario) known.forget("behavior");
+  if (role == ScriptRole::scenario) {
+    for (const char* const word : {"behavior", "args", "run", "done", "failed", "called"}) known.forget(word);
+  }
   // Behaviors and scenarios may both load a library, so it knows the names of both.
   if (role != ScriptRole::scenario) known.add_language(BehaviorLanguage());
   if (role != ScriptRole::scenario) known.add_application();

@@ -71,6 +71,13 @@ struct DrawnMachine {
   bool has_common_transition = false;  ///< some transition belongs to the machine itself and leaves any state
 };
 
+/// Letters, digits and _ for a text such as "player/walk_to".
+std::string identifier(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) == 0 || c >= 128; }, '_');
+  return text;
+}
+
 std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> machines) {
   std::set<std::string> taken;
   const auto fresh = [&](const std::string& base) {
@@ -80,14 +87,11 @@ std::vector<DrawnMachine> drawn_machines(std::span<const MachineDefinition> mach
   };
   std::vector<DrawnMachine> all;
   for (const MachineDefinition& machine : machines) {
-    const std::string prefix = machine.name + "_";  // a state's name alone may be a keyword
-    DrawnMachine drawn{machine, fresh(machine.name + "_machine"), {}, {}};
-    for (const StateDefinition& state : machine.states) {
-      std::string path = state.path.empty() ? "any_state" : state.path;
-      std::replace_if(
-          path.begin(), path.end(), [](unsigned char c) { return std::isalnum(c) == 0 || c >= 128; }, '_');
-      drawn.states.push_back(fresh(prefix + path));
-    }
+    const std::string name = identifier(machine.name);
+    const std::string prefix = name + "_";  // a state's name alone may be a keyword
+    DrawnMachine drawn{machine, fresh(name + "_machine"), {}, {}};
+    for (const StateDefinition& state : machine.states)
+      drawn.states.push_back(fresh(prefix + identifier(state.path.empty() ? "any_state" : state.path)));
     for (std::size_t i = 0; i < machine.states.size(); ++i)
       drawn.starts.push_back(fresh((i == 0 ? prefix : drawn.states[i] + "_") + "start"));
     for (const TransitionDefinition& transition : machine.transitions)
@@ -219,6 +223,14 @@ void add_machine_to_digraph(std::string& out, const DrawnMachine& drawn, bool is
 std::vector<MachineLink> machine_links(std::span<const MachineDefinition> machines, const ScriptTexts& texts) {
   std::vector<MachineLink> links;
   const int count = static_cast<int>(machines.size());
+  for (int caller = 0; caller < count; ++caller) {
+    for (const CallDefinition& call : machines[caller].calls) {
+      for (int callee = 0; callee < count; ++callee) {
+        if (machines[callee].caller == machines[caller].name && machines[callee].behavior() == call.behavior)
+          links.push_back({caller, call.state, callee, 0, "runs"});
+      }
+    }
+  }
   const auto add_links_of = [&](const Sight& sight, int to_machine, int to_state) {
     for (int from = 0; from < count; ++from) {
       const MachineDefinition& machine = machines[from];

@@ -11,17 +11,18 @@
 
 namespace reorient {
 
-/// A link: a condition in a state of one machine reads a state of another machine.
+/// A link: a state of one machine runs another machine, or a condition in a state of one machine reads a state of
+/// another machine.
 struct MachineLink {
   int from_machine = 0;  ///< index into the machines of the picture
-  int from_state = 0;    ///< state that is read or publishes a flag; 0: any state
+  int from_state = 0;    ///< state that runs the other machine, is read or publishes a flag; 0: any state
   int to_machine = 0;
   int to_state = 0;   ///< state whose code reads it; 0: the machine itself, so all states
-  std::string label;  ///< "pose_is_searched", "state", "time_in_state"
+  std::string label;  ///< "runs", "pose_is_searched", "state", "time_in_state"
 };
 
-/// Uses of `published` and `behaviors` in the scripts of these machines, as far as sights_of() finds them. A machine
-/// that reads its own state has no link.
+/// Calls, and uses of `published` and `behaviors` in the scripts of these machines, as far as sights_of() finds them. A
+/// machine that reads its own state has no link.
 std::vector<MachineLink> machine_links(std::span<const MachineDefinition> machines, const ScriptTexts& texts);
 
 /// Text for Mermaid, without the fence. One machine gives a state diagram, in which transitions of the machine itself

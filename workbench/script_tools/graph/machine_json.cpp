@@ -20,6 +20,11 @@ GraphJson state_json(const StateDefinition& state) {
           {"file", state.file},       {"line", state.position.line}};
 }
 
+/// Empty for a state that does not end its behavior.
+std::string end_text(const StateDefinition& state) {
+  return state.ends == BehaviorEnd::none ? std::string() : std::string(to_string(state.ends));
+}
+
 GraphJson transition_json(const TransitionDefinition& transition, const std::string& file, ConditionFields& fields) {
   return {{"from", transition.from},
           {"to", transition.to},
@@ -36,14 +41,19 @@ GraphJson transition_json(const TransitionDefinition& transition, const std::str
 
 GraphJson graph_json(const MachineDefinition& machine, ConditionFields& fields) {
   GraphJson states = GraphJson::array(), transitions = GraphJson::array();
+  GraphJson calls = GraphJson::array();
+  for (const CallDefinition& call : machine.calls)
+    calls.push_back({{"state", call.state}, {"behavior", call.behavior}, {"line", call.position.line}});
   for (const StateDefinition& state : machine.states) {
     states.push_back(state_json(state));
+    states.back()["ends"] = end_text(state);
     for (const int index : state.transitions)
       transitions.push_back(transition_json(machine.transitions[static_cast<std::size_t>(index)], state.file, fields));
   }
   return {{"name", machine.name},          {"file", machine.file},
           {"line", machine.position.line}, {"scenario", machine.is_scenario},
-          {"states", std::move(states)},   {"transitions", std::move(transitions)}};
+          {"states", std::move(states)},   {"transitions", std::move(transitions)},
+          {"calls", std::move(calls)}};
 }
 
 }  // namespace

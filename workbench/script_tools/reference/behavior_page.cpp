@@ -16,9 +16,9 @@ std::string replaced(const std::string& page, const std::string& part, const std
   return page.substr(0, begin + begin_mark.size()) + text + page.substr(end);
 }
 
-std::string table(std::span<const ParameterDeclaration> parameters) {
+std::string table(const std::string& what, std::span<const ParameterDeclaration> parameters) {
   if (parameters.empty()) return "None.\n";
-  std::string text = "| parameter | default | range | what it is |\n|---|---|---|---|\n";
+  std::string text = "| " + what + " | default | range | what it is |\n|---|---|---|---|\n";
   for (const ParameterDeclaration& parameter : parameters) {
     text += "| `" + parameter.name + "` | " + to_text(parameter.default_value) + " | " + range_text(parameter) + " | " +
             parameter.description + " |\n";
@@ -29,9 +29,11 @@ std::string table(std::span<const ParameterDeclaration> parameters) {
 }  // namespace
 
 std::string with_generated_parts(const std::string& page, const MachineDefinition& machine,
-                                 std::span<const ParameterDeclaration> parameters) {
+                                 std::span<const ParameterDeclaration> parameters,
+                                 std::span<const ParameterDeclaration> arguments) {
   const std::string states = "```mermaid\n" + to_mermaid({&machine, 1}) + "```\n";
-  return replaced(replaced(page, "states", states), "parameters", table(parameters));
+  const std::string text = replaced(replaced(page, "states", states), "parameters", table("parameter", parameters));
+  return arguments.empty() ? text : replaced(text, "arguments", table("argument", arguments));
 }
 
 }  // namespace reorient

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The generated parts of a behavior's page: the states as a diagram, the parameters as a table.
+// The generated parts of a behavior's page: the states as a diagram, the parameters and arguments as tables.
 #pragma once
 
 #include <span>
@@ -10,9 +10,11 @@
 
 namespace reorient {
 
-/// The page with the part between "<!-- generated: states -->" (or parameters) and "<!-- end -->" regenerated.
-/// `parameters`: those that the script itself declares. Throws std::runtime_error if a mark is missing.
+/// The page with the part between "<!-- generated: states -->" (or parameters, or arguments) and "<!-- end -->"
+/// regenerated. `parameters`: those that the script itself declares; only a script with `args` needs the last part.
+/// Throws std::runtime_error if a mark is missing.
 std::string with_generated_parts(const std::string& page, const MachineDefinition& machine,
-                                 std::span<const ParameterDeclaration> parameters);
+                                 std::span<const ParameterDeclaration> parameters,
+                                 std::span<const ParameterDeclaration> arguments = {});
 
 }  // namespace reorient

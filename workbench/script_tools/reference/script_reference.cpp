@@ -177,7 +177,7 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
          "-- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` regenerates "
          "it.\n\n";
   out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
-         "boolean\n---@field publishes? string\n"
+         "boolean\n---@field publishes? string\n---@field ends? \"done\"|\"failed\"\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field room? string\n"
          "---@field hall_seed? integer\n---@field field? string\n---@field interface? string\n---@field enter? "
          "fun()\n---@field update? fun()\n"
@@ -252,11 +252,9 @@ std::string script_luacheck() {
       out << "  " << row.table << " = fields(" << quoted_list(names_in(row)) << "),\n";
     }
   }
+  const std::set<std::string> open{"action", "behaviors", "called", "input", "published"};
   for (const std::string& name : globals) {
-    out << "  " << name
-        << (name == "behaviors" || name == "published" || name == "input" || name == "action"
-                ? " = { other_fields = true },\n"
-                : " = {},\n");
+    out << "  " << name << (open.contains(name) ? " = { other_fields = true },\n" : " = {},\n");
   }
   for (const auto& [table, names] : tables) out << "  " << table << " = fields(" << names << "),\n";
   out << "} }\nstds.reorient_test = { read_globals = {\n  expect = { other_fields = true },\n";

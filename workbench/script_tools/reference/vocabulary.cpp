@@ -16,6 +16,11 @@ constexpr ScriptWord kLanguage[] = {
      "Returns a read-only table of the current values. The full name of a parameter is the name of the file, a dot, "
      "and its name.",
      {}},
+    {"args(declarations: table<string, table>): table<string, any> values",
+     "local a = args { x = { 0.0, range = { -10, 10 }, unit = \"m\", doc = \"where to walk\" } }",
+     "Declares what a behavior that runs this one may give it, as `param` declares parameters; each argument has a "
+     "default. Returns a read-only table of the values in this frame. A dwell time may be the name of an argument.",
+     {}},
     {"keep(defaults: table): table memory", "local memory = keep { flips = 0 }",
      "Declares a table of numbers, texts and booleans that survives a reload of the script. Removed values stay "
      "removed, and values that a new version adds start as declared. Local variables do not survive.",
@@ -31,8 +36,35 @@ constexpr ScriptWord kLanguage[] = {
      "Declares a state. `enter`, `update` and `exit`: functions that run when the state is entered, in every frame, "
      "and when it is left. It contains transitions and inner states. A state with inner states may also have "
      "`initial`, `common`, and `history = true`, which resumes the inner state that was active last. `publishes = "
-     "\"name\"`: a flag that other scripts read as `published.name`.",
+     "\"name\"`: a flag that other scripts read as `published.name`. `ends = \"done\"` or `ends = \"failed\"`: the "
+     "state "
+     "ends the behavior for the one that runs it.",
      {}},
+    {"run(behavior: string): fun(arguments: table): table",
+     "state \"going\" { run \"walk_to\" { x = 1.0, y = function() return input.ball.position.y end }, ... }",
+     "In a state of a behavior: runs another behavior while the state is active, with values for its `args`. A "
+     "function is evaluated in every frame, and its result is limited to the range of the argument. The behavior "
+     "starts when the state is entered, runs in each frame after its caller, with the priority of its caller, and "
+     "stops "
+     "when the state is left. A state may run several behaviors. The machine is named after its callers: "
+     "`striker/walk_to`.",
+     {}},
+    {"done(behavior: string): fun(): boolean",
+     "{ \"kicking\", when = done \"walk_to\", because = \"the robot stands behind the ball\" }",
+     "A condition: a behavior that the state runs has ended in a state with `ends = \"done\"`.",
+     {}},
+    {"failed(behavior: string): fun(): boolean",
+     "{ \"searching\", when = failed \"walk_to\", because = \"the robot did not arrive\" }",
+     "The same for a state with `ends = \"failed\"`, and for a behavior that was stopped after errors.",
+     {}},
+    {"called", "called.walk_to.outcome == \"failed\"",
+     "The behaviors that the active states run, read-only: `outcome` (`running`, `done` or `failed`), `reason` (of the "
+     "last transition), `state` (path) and `time_in_state` (s). After the state was left, outcome and reason of a "
+     "behavior "
+     "that had ended remain until it runs again; the others are nil and 0.",
+     "---@class reorient.Called\n---@field outcome \"running\"|\"done\"|\"failed\"|nil\n---@field reason string?\n"
+     "---@field state string?\n---@field time_in_state number s\n\n---@type table<string, reorient.Called>\ncalled = "
+     "{}"},
     {"scenario(name: string): fun(body: reorient.State)",
      "scenario \"name\" { behaviors = { \"orientation\" }, initial = \"placing\", state \"placing\" { ... } }",
      "Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the "
@@ -85,7 +117,12 @@ constexpr ScriptWord kTest[] = {
      "test is limited to 60 s (`--timeout`) and to 36 000 s of the robot's time, all tests of a file together to ten "
      "times that.",
      {}},
-    {"load_behavior(behavior: reorient.BehaviorScript)", "load_behavior \"orientation\"", "Loads a behavior.", {}},
+    {"load_behavior(behavior: reorient.BehaviorScript, arguments?: table<string, any>)",
+     "load_behavior(\"walk_to\", { x = 1.0 })",
+     "Loads a behavior and the behaviors that it runs. `arguments`: values for its `args`, as a behavior gives them "
+     "that "
+     "runs it; they do not change.",
+     {}},
     {"load_scenario(scenario: reorient.ScenarioScript)",
      "load_scenario \"mirrored_placement\"",
      "Loads a scenario and its behaviors.",
