@@ -70,6 +70,7 @@ const FrameRecord& FrameLoop::step(const FrameInputs& inputs, Topics requested) 
   carried_.get_up_requested = record_.answer.request.get_up;
   carried_.odometry = observation.odometry;
   complete_record(observation, decision);
+  carried_.world.take_request(record_.answer.request);
   return record_;
 }
 
@@ -81,7 +82,8 @@ void FrameLoop::take_inputs(const FrameInputs& inputs) {
   record_.logs.clear();
   take_parameters(inputs.parameter_changes);
   record_.reloads.clear();
-  if (!inputs.script_edits.empty()) record_.reloads = behaviors_.apply(inputs.script_edits, arbiter_);
+  if (!inputs.script_edits.empty())
+    record_.reloads = behaviors_.apply(inputs.script_edits, arbiter_, carried_.application);
   carried_.world.begin_frame(observation.time);
   carried_.application.begin_frame(observation.time);
   record_.inputs.half_time = observation.external.half_time || inputs.external.half_time;

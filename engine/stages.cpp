@@ -132,7 +132,7 @@ SensedField summary_of(const FieldPercepts& percepts, const HeadAngles& head) {
 }
 
 Decision decide(const World& world, std::span<const Message> messages, Behaviors& behaviors, Arbiter& arbiter) {
-  behaviors.tick(world, messages);
+  behaviors.tick(world, messages, &arbiter);
   const Arbitration& arbitration = arbiter.arbitrate(behaviors.wanted().commands, behaviors.leases(), world);
   return {arbitration, behaviors.wanted()};
 }

@@ -27,8 +27,10 @@ class Behaviors {
 
   /// Each behavior reads this world, the application's values, the other behaviors' states at the start of the frame,
   /// and the messages of teammates since the last frame.
-  void tick(const World& world, std::span<const Message> messages = {}) {
+  /// `arbiter`: the verdicts on their earlier commands; nullptr: none.
+  void tick(const World& world, std::span<const Message> messages = {}, const Arbiter* arbiter = nullptr) {
     language_.actions().set_messages(messages);
+    language_.actions().set_verdicts(arbiter, host_.names(), world);
     values_.clear();
     append_world(world, values_);
     said_ = &host_.tick(world.time, values_);
@@ -36,11 +38,12 @@ class Behaviors {
     host_.append_leases(leases_);
   }
 
-  /// Between two frames. The arbiter decides on the commands of these behaviors and stores their names.
-  std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits, Arbiter& arbiter) {
+  /// Between two frames. The arbiter and the application's state store names of these behaviors.
+  std::vector<ReloadRecord> apply(std::span<const ScriptEdit> edits, Arbiter& arbiter, ApplicationState& application) {
     const std::shared_ptr<const NameTable> before = host_.names().table();
     std::vector<ReloadRecord> reloads = host_.apply(edits);
     arbiter.rename(*before, *host_.names().table());
+    application.rename(*before, *host_.names().table());
     return reloads;
   }
 

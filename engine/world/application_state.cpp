@@ -115,6 +115,42 @@ void ApplicationState::start(std::span<const ActionRequest> requests, double tim
   for (const ActionRecord& record : records_) {
     if (record.verdict == Verdict::granted) begin(record.request, time);
   }
+  note_refusals(requests, time);
+}
+
+/// A request without a record continues what runs.
+void ApplicationState::note_refusals(std::span<const ActionRequest> requests, double time) {
+  for (const ActionRequest& request : requests) {
+    const NameId machine = request.issuer.machine;
+    std::erase_if(refused_,
+                  [&](const RefusedAction& one) { return one.machine == machine && one.action == request.action; });
+  }
+  for (const ActionRecord& record : records_) {
+    if (record.verdict == Verdict::granted) continue;
+    const auto winner = std::find_if(records_.begin(), records_.end(), [&](const ActionRecord& other) {
+      return other.request.action == record.request.action && other.verdict == Verdict::granted;
+    });
+    const NameId by = winner == records_.end() ? kNoName : winner->request.issuer.machine;
+    const NameId machine = record.request.issuer.machine;
+    // A behavior that requests an action twice has outranked itself.
+    if (by != machine && refused(machine, record.request.action) == nullptr)
+      refused_.push_back({machine, record.request.action, by, time});
+  }
+}
+
+const RefusedAction* ApplicationState::refused(NameId machine, std::size_t action) const {
+  const auto found = std::find_if(refused_.begin(), refused_.end(), [&](const RefusedAction& one) {
+    return one.machine == machine && one.action == action;
+  });
+  return found == refused_.end() ? nullptr : &*found;
+}
+
+void ApplicationState::rename(const NameTable& before, const NameTable& now) {
+  for (RefusedAction& one : refused_) {
+    one.machine = now.find(before[one.machine]).value_or(kNoName);
+    one.outranked_by = now.find(before[one.outranked_by]).value_or(kNoName);
+  }
+  std::erase_if(refused_, [](const RefusedAction& one) { return one.machine == kNoName; });
 }
 
 void ApplicationState::begin(const ActionRequest& request, double time) {

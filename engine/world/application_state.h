@@ -63,6 +63,19 @@ void fields(Visit&& visit, T& record) {
   visit(record.request, record.verdict);
 }
 
+/// A behavior's latest request of an action, if it was refused: its action has failed, whatever another behavior's
+/// does.
+struct RefusedAction {
+  NameId machine = kNoName;
+  std::uint16_t action = 0;
+  NameId outranked_by = kNoName;  ///< nothing: the action already runs with other arguments
+  double since = 0.0;             ///< s
+};
+template <typename Visit, ConstOr<RefusedAction> T>
+void fields(Visit&& visit, T& refused) {
+  visit(refused.machine, refused.action, refused.outranked_by, refused.since);
+}
+
 /// Whether the value fits its declaration and is not too old. `time`: s.
 bool is_valid(const ValueState& state, const DeclaredValue& declared, double time);
 
@@ -97,6 +110,11 @@ class ApplicationState {
   /// record.
   void start(std::span<const ActionRequest> requests, double time);
 
+  /// nullptr: the latest request of this machine was granted, or it has requested none.
+  const RefusedAction* refused(NameId machine, std::size_t action) const;
+  /// Maps machines to new numbers of names.
+  void rename(const NameTable& before, const NameTable& now);
+
   // Of the last start().
   std::span<const ActionRecord> records() const { return records_; }
   std::span<const StartedAction> started() const { return started_; }
@@ -104,17 +122,19 @@ class ApplicationState {
   /// Numbers of names in the records of the last frame stay those of that frame.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    archive(self.values_, self.actions_, self.last_id_);
+    archive(self.values_, self.actions_, self.last_id_, self.refused_);
     if constexpr (Archive::kReads) check_fits(self.values_, self.actions_, *self.declared_);
   }
 
  private:
   void begin(const ActionRequest& request, double time);
+  void note_refusals(std::span<const ActionRequest> requests, double time);
 
   std::shared_ptr<const ApplicationInterface> declared_;
   std::vector<ValueState> values_;
   std::vector<ActionStatus> actions_;
   std::uint32_t last_id_ = 0;
+  std::vector<RefusedAction> refused_;  ///< at most one for each machine and action
   std::vector<ActionRecord> records_;
   std::vector<StartedAction> started_;
 };

@@ -14,6 +14,13 @@ bool is_same(const Lease& left, const Lease& right) {
          left.issuer.state == right.issuer.state;
 }
 
+template <typename Verdicts>
+auto find_last(Verdicts& verdicts, NameId machine, Reorientation reorientation) {
+  return std::find_if(verdicts.begin(), verdicts.end(), [&](const LastVerdict& last) {
+    return last.machine == machine && last.reorientation == reorientation;
+  });
+}
+
 std::size_t index_of(Reorientation reorientation) { return static_cast<std::size_t>(reorientation); }
 
 }  // namespace
@@ -34,9 +41,31 @@ double Arbiter::cooldown(Reorientation reorientation) const {
 Verdict Arbiter::judge(const ReorientationRequest& request, const World& world) const {
   if (world.posture == Posture::lifted) return Verdict::not_allowed;
   if (!world.upright() && request.reorientation != Reorientation::reset_orientation) return Verdict::not_allowed;
-  const std::optional<double>& before = granted_at_[index_of(request.reorientation)];
-  if (before && world.time - *before + kTimeTolerance < cooldown(request.reorientation)) return Verdict::too_soon;
-  return Verdict::granted;
+  return wait(request.reorientation, world.time) > kTimeTolerance ? Verdict::too_soon : Verdict::granted;
+}
+
+double Arbiter::wait(Reorientation reorientation, double time) const {
+  const std::optional<double>& before = granted_at_[index_of(reorientation)];
+  return before ? std::max(0.0, *before + cooldown(reorientation) - time) : 0.0;
+}
+
+const LastVerdict* Arbiter::last_verdict(NameId machine, Reorientation reorientation) const {
+  const auto found = find_last(verdicts_, machine, reorientation);
+  return found == verdicts_.end() ? nullptr : &*found;
+}
+
+void Arbiter::note_verdicts() {
+  for (const CommandRecord& command : result_.commands) {
+    const NameId machine = command.request.issuer.machine;
+    const Reorientation reorientation = command.request.reorientation;
+    auto last = find_last(verdicts_, machine, reorientation);
+    if (last == verdicts_.end())
+      last = verdicts_.insert(last, LastVerdict{.machine = machine, .reorientation = reorientation});
+    last->verdict = command.verdict;
+    const bool is_outranked = command.verdict == Verdict::outranked;
+    last->outranked_by = is_outranked ? result_.granted->request.issuer.machine : kNoName;
+    last->refusals = command.verdict == Verdict::granted ? 0 : last->refusals + 1;
+  }
 }
 
 void Arbiter::note_leases(std::span<const Lease> leases) {
@@ -55,6 +84,11 @@ void Arbiter::rename(const NameTable& before, const NameTable& now) {
   const auto renamed = [&](NameId id) { return now.find(before[id]).value_or(kNoName); };
   for (Lease& lease : held_)
     lease.issuer = {renamed(lease.issuer.machine), renamed(lease.issuer.state), renamed(lease.issuer.reason)};
+  for (LastVerdict& last : verdicts_) {
+    last.machine = renamed(last.machine);
+    last.outranked_by = renamed(last.outranked_by);
+  }
+  std::erase_if(verdicts_, [](const LastVerdict& last) { return last.machine == kNoName; });  // it exists no more
 }
 
 const Arbitration& Arbiter::arbitrate(std::span<const ReorientationRequest> requests, std::span<const Lease> leases,
@@ -78,6 +112,7 @@ const Arbitration& Arbiter::arbitrate(std::span<const ReorientationRequest> requ
     result_.granted = *winner;
     granted_at_[index_of(winner->request.reorientation)] = world.time;
   }
+  note_verdicts();
   return result_;
 }
 

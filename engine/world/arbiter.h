@@ -38,6 +38,19 @@ struct Arbitration {
   std::vector<Lease> begun;             ///< leases that were not held in the previous frame
 };
 
+/// The verdict on a behavior's latest request of one kind.
+struct LastVerdict {
+  NameId machine = kNoName;
+  Reorientation reorientation = Reorientation::flip_pose;
+  Verdict verdict = Verdict::granted;
+  NameId outranked_by = kNoName;  ///< the machine whose command was granted instead
+  int refusals = 0;               ///< since the latest one that was granted
+};
+template <typename Visit, ConstOr<LastVerdict> T>
+void fields(Visit&& visit, T& last) {
+  visit(last.machine, last.reorientation, last.verdict, last.outranked_by, last.refusals);
+}
+
 class Arbiter {
  public:
   explicit Arbiter(const ArbiterParameters& parameters = {}) : parameters_(parameters) {}
@@ -53,23 +66,30 @@ class Arbiter {
   /// Maps held leases to new numbers of names; they remain held.
   void rename(const NameTable& before, const NameTable& now);
 
+  /// Of the latest request of this kind by this machine; nullptr: it has requested none.
+  const LastVerdict* last_verdict(NameId machine, Reorientation reorientation) const;
+  /// Time from now on for which such a request is too soon: s.
+  double wait(Reorientation reorientation, double time) const;
+
   /// The latest result; before the first one, training and evaluation are permitted.
   const Arbitration& last() const { return result_; }
 
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    archive(self.granted_at_, self.held_, self.result_.train, self.result_.evaluate);
+    archive(self.granted_at_, self.held_, self.result_.train, self.result_.evaluate, self.verdicts_);
   }
 
  private:
   double cooldown(Reorientation reorientation) const;
   Verdict judge(const ReorientationRequest& request, const World& world) const;
   void note_leases(std::span<const Lease> leases);
+  void note_verdicts();
 
   ArbiterParameters parameters_;
   std::array<std::optional<double>, 3> granted_at_;  ///< s, per reorientation
   std::vector<Lease> held_;                          ///< in the previous frame
   Arbitration result_;
+  std::vector<LastVerdict> verdicts_;  ///< at most one for each machine and kind
 };
 
 }  // namespace reorient

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "engine/world/body_motion.h"
 #include "engine/world/posture.h"
 #include "geometry/camera_bias.h"
 #include "geometry/const_or.h"
@@ -47,6 +48,7 @@ struct World {
   bool sides_changed = false;           ///< the teams have changed sides
   double time_since_disturbance = 0.0;  ///< s since the robot was last not upright or not in the game; 0 during that
   HeadAngles head;
+  BodyMotion motion;
   double head_reach = 0.0;  ///< rad, largest yaw of the head to either side
   bool can_walk = true;     ///< this body
   bool can_get_up = true;
@@ -82,10 +84,10 @@ struct World {
 template <typename Visit, ConstOr<World> T>
 void fields(Visit&& visit, T& world) {
   visit(world.time, world.time_step, world.frame, world.posture, world.posture_before, world.posture_for, world.referee,
-        world.may_walk, world.sides_changed, world.time_since_disturbance, world.head, world.head_reach, world.can_walk,
-        world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_tracked, world.body,
-        world.camera_bias, world.pose_known, world.room_awareness, world.confidence, world.views, world.room_status,
-        world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,
+        world.may_walk, world.sides_changed, world.time_since_disturbance, world.head, world.motion, world.head_reach,
+        world.can_walk, world.can_get_up, world.cruise, world.pose, world.recovery_probability, world.pose_tracked,
+        world.body, world.camera_bias, world.pose_known, world.room_awareness, world.confidence, world.views,
+        world.room_status, world.trained_seconds, world.training, world.evaluating, world.goal_posts, world.line_points,
         world.intersections, world.ball, world.ball_distance, world.ball_bearing, world.field);
 }
 

@@ -35,6 +35,7 @@ bool WorldTracker::take_posture(const SensedPosture& posture) {
 
 BeliefJump WorldTracker::take_belief(const SensedBelief& sensed, const Pose2& moved,
                                      const PoseClusterParameters& clusters) {
+  world_.motion = after_step(world_.motion, moved, world_.time_step);
   const Pose2 expected = world_.pose.pose * moved;
   world_.pose = sensed.belief;
   world_.pose_tracked = sensed.tracked;
@@ -61,6 +62,8 @@ void WorldTracker::take_room(const Confidences& confidence, const InformativeVie
 }
 
 void WorldTracker::take_field(const SensedField& seen) {
+  const HeadAngles turned{seen.head.yaw - world_.head.yaw, seen.head.pitch - world_.head.pitch};
+  if (world_.frame > 1) world_.motion = after_turn_of_head(world_.motion, turned, world_.time_step);
   world_.head = seen.head;
   world_.goal_posts = seen.goal_posts;
   world_.line_points = seen.line_points;

@@ -67,6 +67,8 @@ class WorldTracker {
   void take_field(const SensedField& seen);
   /// The last step before behaviors read the world.
   void judge_room(const RoomStatusParameters& parameters);
+  /// After behaviors have read the world: the request that the robot gets.
+  void take_request(const Request& request) { world_.motion = after_request(world_.motion, request.walk); }
 
   /// The belief after a reorientation. After a reset the orientation is not known; a flip or a purge confirms it.
   void take_reorientation(Reorientation reorientation, const PoseBelief& after);

@@ -293,6 +293,25 @@ TEST_F(Application, TheGreaterPriorityWins) {
   EXPECT_EQ(record.application.requests[0].verdict, Verdict::outranked);
 }
 
+TEST_F(Application, AnOutrankedBehaviorSeesItsOwnActionFail) {
+  FrameSetup setup;
+  setup.application = soccer();
+  setup.scripts.apply({"behaviors/other.lua", ScriptText{R"(behavior "other" { priority = 5, initial = "a",
+    state "a" { enter = function() action.say { text = "other" } end,
+      update = function() log.info("other " .. action.say.state .. " " .. action.say.reason) end } })",
+                                                         ""}});
+  setup.behaviors.emplace_back("other");
+  HandFedLoop loop(R"(behavior "tested" { priority = 9, initial = "a",
+    state "a" { enter = function() action.say { text = "tested" } end,
+      update = function() log.info("tested " .. action.say.state) end } })",
+                   std::move(setup));
+  loop.step();
+  const FrameRecord& record = loop.step();
+  ASSERT_EQ(record.logs.size(), 2u);
+  EXPECT_EQ(record.logs[0].text, "other failed outranked by tested");
+  EXPECT_EQ(record.logs[1].text, "tested running");
+}
+
 TEST_F(Application, TenThousandRequestsInAFrameAreContained) {
   FrameSetup setup;
   setup.application = soccer();

@@ -91,6 +91,32 @@ TEST_F(ArbiterTest, ALeaseIsTheSameAfterItsNamesWereRenumbered) {
   EXPECT_TRUE(last.begun.empty());
 }
 
+TEST_F(ArbiterTest, RemembersTheVerdictOnEachMachinesLatestCommand) {
+  constexpr NameId kFirst = 3, kSecond = 4;
+  const auto request = [](NameId machine, Reorientation reorientation, double priority) {
+    return ReorientationRequest{reorientation, {machine, 0, 0}, priority};
+  };
+  const std::vector<ReorientationRequest> both{request(kFirst, Reorientation::flip_pose, 1.0),
+                                               request(kSecond, Reorientation::purge_reflection, 2.0)};
+  world.time = 1.0;
+  arbiter.arbitrate(both, {}, world);
+  EXPECT_EQ(arbiter.last_verdict(kFirst, Reorientation::purge_reflection), nullptr);
+  const LastVerdict* const first = arbiter.last_verdict(kFirst, Reorientation::flip_pose);
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(first->verdict, Verdict::outranked);
+  EXPECT_EQ(first->outranked_by, kSecond);
+  EXPECT_EQ(first->refusals, 1);
+  EXPECT_DOUBLE_EQ(arbiter.wait(Reorientation::purge_reflection, 2.0), 2.0);
+  EXPECT_DOUBLE_EQ(arbiter.wait(Reorientation::flip_pose, 2.0), 0.0);
+  const std::vector<ReorientationRequest> again{request(kSecond, Reorientation::purge_reflection, 2.0)};
+  arbiter.arbitrate(again, {}, world);
+  EXPECT_EQ(arbiter.last_verdict(kSecond, Reorientation::purge_reflection)->verdict, Verdict::too_soon);
+  EXPECT_EQ(arbiter.last_verdict(kSecond, Reorientation::purge_reflection)->refusals, 1);
+  world.time = 9.0;
+  arbiter.arbitrate(again, {}, world);
+  EXPECT_EQ(arbiter.last_verdict(kSecond, Reorientation::purge_reflection)->refusals, 0);
+}
+
 TEST_F(ArbiterTest, LeasesOfTwoStatesAreDifferent) {
   verdicts({}, {{Pause::training, {3, 4, 5}}});
   verdicts({}, {{Pause::training, {3, 6, 5}}});

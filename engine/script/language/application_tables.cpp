@@ -207,14 +207,22 @@ int read_action(lua_State* L) {
   if (language.actions().is_loading())
     return luaL_error(L, "action.%s has no state while the script is loaded", name.c_str());
   const ActionStatus& status = language.application().actions()[index];
+  const RefusedAction* const refused =
+      language.application().refused(language.actions().running()->definition().name_id, index);
   const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
   if (key == "state") {
-    const std::string_view state = to_string(status.state);
+    const std::string_view state = to_string(refused != nullptr ? ActionState::failed : status.state);
     lua_pushlstring(L, state.data(), state.size());
+  } else if (key == "reason" && refused != nullptr) {
+    if (refused->outranked_by == kNoName) {
+      lua_pushliteral(L, "the action already runs with other arguments");
+    } else {
+      lua_pushfstring(L, "outranked by %s", language.actions().name_of(refused->outranked_by).c_str());
+    }
   } else if (key == "reason") {
     lua_pushlstring(L, status.reason.data(), status.reason.size());
   } else if (key == "time_in_state") {
-    lua_pushnumber(L, language.actions().time() - status.since);
+    lua_pushnumber(L, language.actions().time() - (refused != nullptr ? refused->since : status.since));
   } else {
     return luaL_error(L, "action.%s has no field '%s' (expected state, reason or time_in_state)", name.c_str(),
                       luaL_tolstring(L, 2, nullptr));

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "engine/script/language/behavior_language.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string>
 
 #include "engine/parameters/counted.h"
+#include "engine/parameters/nearest_name.h"
 #include "engine/script/language/application_tables.h"
 #include "engine/script/language/world_fields.h"
 
@@ -35,6 +39,18 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
           "command.pause_training", {}, "Pauses the training of the background model until the calling state is left."),
       script_function<&A::pause_evaluation>("command.pause_evaluation", {},
                                             "Pauses the evaluation of the room until the calling state is left."),
+      script_function<&A::command_state>(
+          "command.state", {"command"},
+          "What became of this behavior's latest command of a kind, such as \"flip_pose\": idle (never requested), "
+          "pending (requested in this frame), granted or refused."),
+      script_function<&A::command_reason>("command.reason", {"command"}, "Why it was refused; empty if it was not."),
+      script_function<&A::command_wait>("command.wait", {"command"},
+                                        "Time until such a command is not too soon any more (s): after one was "
+                                        "granted to any behavior, the same "
+                                        "one is refused for some time."),
+      script_function<&A::command_refusals>(
+          "command.refusals", {"command"},
+          "How often this behavior's commands of a kind were refused since the latest one that was granted."),
       script_function<&A::look>(
           "head.look", {"yaw", "pitch", "speed"},
           "Turns the head to these angles (rad, positive left and downward) at a speed (rad/s). Valid for one frame."),
@@ -79,6 +95,67 @@ void BehaviorActions::reorient_by(Reorientation reorientation) {
 void BehaviorActions::pause(Pause pause) {
   require_acting();
   machine().lease(pause, state());
+}
+
+namespace {
+
+Reorientation reorientation_named(std::string_view name) {
+  constexpr std::array kAll{Reorientation::flip_pose, Reorientation::purge_reflection,
+                            Reorientation::reset_orientation};
+  for (const Reorientation one : kAll) {
+    if (to_string(one) == name) return one;
+  }
+  std::vector<std::string> known;
+  for (const Reorientation one : kAll) known.emplace_back(to_string(one));
+  throw std::runtime_error("unknown command '" + std::string(name) + "'" + did_you_mean(std::string(name), known));
+}
+
+}  // namespace
+
+const LastVerdict* BehaviorActions::last_verdict(Reorientation reorientation) const {
+  if (is_loading()) throw std::runtime_error("command: no behavior runs while a script is loaded");
+  return arbiter_ == nullptr ? nullptr : arbiter_->last_verdict(machine().definition().name_id, reorientation);
+}
+
+bool BehaviorActions::is_pending(Reorientation reorientation) const {
+  const NameId self = machine().definition().name_id;
+  return std::any_of(output_.commands.begin(), output_.commands.end(), [&](const ReorientationRequest& request) {
+    return request.issuer.machine == self && request.reorientation == reorientation;
+  });
+}
+
+std::string_view BehaviorActions::command_state(std::string_view command) {
+  const Reorientation reorientation = reorientation_named(command);
+  const LastVerdict* const last = last_verdict(reorientation);
+  if (is_pending(reorientation)) return "pending";
+  if (last == nullptr) return "idle";
+  return last->verdict == Verdict::granted ? "granted" : "refused";
+}
+
+std::string BehaviorActions::command_reason(std::string_view command) {
+  const LastVerdict* const last = last_verdict(reorientation_named(command));
+  if (last == nullptr) return {};
+  switch (last->verdict) {
+    case Verdict::granted:
+      return {};
+    case Verdict::outranked:
+      return "outranked by " + name_of(last->outranked_by);
+    case Verdict::too_soon:
+      return "too soon after another one";
+    case Verdict::not_allowed:
+      return "not allowed: the robot was not on its feet";
+  }
+  return {};
+}
+
+double BehaviorActions::command_wait(std::string_view command) {
+  const Reorientation reorientation = reorientation_named(command);
+  return arbiter_ == nullptr || world_ == nullptr ? 0.0 : arbiter_->wait(reorientation, world_->time);
+}
+
+std::int64_t BehaviorActions::command_refusals(std::string_view command) {
+  const LastVerdict* const last = last_verdict(reorientation_named(command));
+  return last == nullptr ? 0 : last->refusals;
 }
 
 void BehaviorActions::request(std::uint16_t action, FieldData arguments) {

@@ -13,7 +13,9 @@
 
 #include "engine/script/language/script_language.h"
 #include "engine/world/application_state.h"
+#include "engine/world/arbiter.h"
 #include "engine/world/commands.h"
+#include "engine/world/world.h"
 #include "robots/robot.h"
 
 namespace reorient {
@@ -33,12 +35,26 @@ class BehaviorActions : public ScriptActions {
   /// Sets the messages of the next frame, which must outlive it.
   void set_messages(std::span<const Message> messages) { heard_ = messages; }
 
+  /// Sets what the next frame reads about earlier commands. All must outlive it.
+  void set_verdicts(const Arbiter* arbiter, const Names& names, const World& world) {
+    arbiter_ = arbiter;
+    names_ = &names;
+    world_ = &world;
+  }
+
+  /// Of a machine, in messages.
+  const std::string& name_of(NameId machine) const { return (*names_)[machine]; }
+
   // command
   void flip_pose() { reorient_by(Reorientation::flip_pose); }
   void purge_reflection() { reorient_by(Reorientation::purge_reflection); }
   void reset_orientation() { reorient_by(Reorientation::reset_orientation); }
   void pause_training() { pause(Pause::training); }
   void pause_evaluation() { pause(Pause::evaluation); }
+  std::string_view command_state(std::string_view command);
+  std::string command_reason(std::string_view command);
+  double command_wait(std::string_view command);
+  std::int64_t command_refusals(std::string_view command);
 
   // head, walk, motion
   void look(double yaw, double pitch, std::optional<double> speed);
@@ -58,10 +74,16 @@ class BehaviorActions : public ScriptActions {
  private:
   void reorient_by(Reorientation reorientation);
   void pause(Pause pause);
+  /// The verdict on the latest such command of the running machine; nullptr: none.
+  const LastVerdict* last_verdict(Reorientation reorientation) const;
+  bool is_pending(Reorientation reorientation) const;
   const Message& message(std::int64_t which) const;
 
   BehaviorOutput output_;
   std::span<const Message> heard_;
+  const Arbiter* arbiter_ = nullptr;
+  const Names* names_ = nullptr;
+  const World* world_ = nullptr;
   const Machine* sender_ = nullptr;  ///< of the latest message of the frame
   std::size_t sent_ = 0;             ///< messages of this sender in the frame
   double head_priority_ = -std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -59,6 +60,13 @@ struct Value<std::string_view> {
     return {text, length};
   }
   static void push(lua_State* L, std::string_view text) { lua_pushlstring(L, text.data(), text.size()); }
+};
+
+/// Only as a result.
+template <>
+struct Value<std::string> {
+  static constexpr std::string_view name = "string";
+  static void push(lua_State* L, const std::string& text) { lua_pushlstring(L, text.data(), text.size()); }
 };
 
 template <typename T>

@@ -183,7 +183,7 @@ class TwoWorlds {
     if (seldom(15)) {
       const std::string edited = std::string(kObedient) + (seldom(2) ? "-- edited" : "(");
       inputs.script_edits.push_back({"behaviors/tested.lua", ScriptText{edited, ""}});
-      behaviors_.apply(inputs.script_edits, arbiter_);
+      behaviors_.apply(inputs.script_edits, arbiter_, application_);
     }
     if (observation.upper) {
       observation.upper->time = observation.time;
@@ -233,7 +233,7 @@ class TwoWorlds {
     }
     if (arbitration.train == record.answer.training_paused) return "the lease on training";
     if (arbitration.evaluate == record.answer.evaluation_paused) return "the lease on evaluation";
-    fake_.end_frame(arbitration);
+    fake_.end_frame(arbitration, permitted(behaviors_.wanted().request, world));
     if (is_over_ || !record.reorientation) return std::nullopt;
     world = fake_.world();
     if (fault_ == Fault::known_after_a_reset) world.pose_known = true;
@@ -343,6 +343,7 @@ class TwoWorlds {
   FakeWorld fake_;
   Behaviors behaviors_;
   Arbiter arbiter_;
+  ApplicationState application_;
   Pose2 external_;
   Pose2 believed_;  // by the engine, at the end of the previous frame
   bool has_begun_ = false;

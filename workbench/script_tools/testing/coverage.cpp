@@ -151,7 +151,8 @@ void CoverageTrace::note(std::span<const MachineDefinition* const> machines, con
     });
     if (found == machines.end()) continue;
     const MachineDefinition& machine = **found;
-    MachineTrace& trace = machines_[{machine.file, machine.name}];
+    // A behavior that another one runs counts for its own script.
+    MachineTrace& trace = machines_[{machine.file, std::string(machine.behavior())}];
     for (std::string path = names[record.to]; !path.empty();) {
       trace.states.insert(path);
       const std::size_t slash = path.rfind('/');
@@ -186,7 +187,9 @@ std::vector<std::string> report_coverage(const CoverageTrace& trace, const std::
         failures.push_back(file + " is not in the coverage: " + error.what());
         continue;
       }
-      for (const MachineDefinition* machine : host.definitions()) report.add(*machine, file);
+      for (const MachineDefinition* machine : host.definitions()) {
+        if (machine->caller.empty()) report.add(*machine, file);
+      }
     }
   }
   report.finish();

@@ -55,6 +55,9 @@ World FakeWorld::derived(const WorldTracker& tracker) const {
   if (is_set("robot.posture_before")) world.posture_before = world_.posture_before;
   if (is_set("robot.posture_for")) world.posture_for = world_.posture_for;
   if (is_set("robot.time_since_disturbance")) world.time_since_disturbance = world_.time_since_disturbance;
+  if (is_set("robot.speed")) world.motion.speed = world_.motion.speed;
+  if (is_set("robot.turn_speed")) world.motion.measured.turn = world_.motion.measured.turn;
+  if (is_set("robot.requested_speed")) world.motion.requested_speed = world_.motion.requested_speed;
   if (is_set("robot.may_walk")) world.may_walk = world_.may_walk;
   if (is_set("pose.known")) world.pose_known = world_.pose_known;
   if (is_set("training.active")) world.training = world_.training;
@@ -111,7 +114,8 @@ void FakeWorld::judge_room() {
   if (!is_set("confidence.status")) world_.room_status = room_status(world_, room_status_parameters_);
 }
 
-void FakeWorld::end_frame(const Arbitration& arbitration) {
+void FakeWorld::end_frame(const Arbitration& arbitration, const Request& request) {
+  if (!is_set("robot.requested_speed")) world_.motion = after_request(world_.motion, request.walk);
   if (!arbitration.granted) return;
   const Reorientation reorientation = arbitration.granted->request.reorientation;
   WorldTracker tracker(world_);

@@ -37,8 +37,8 @@ class FakeWorld {
   /// Starts the next frame at this time (s), up to the world that behaviors see. `last`: the arbitration of the
   /// previous frame.
   const World& begin_frame(double time, const Arbitration& last, const FakeSenses& senses = {});
-  /// Applies the granted command.
-  void end_frame(const Arbitration& arbitration);
+  /// Applies the granted command. `request`: what the robot gets.
+  void end_frame(const Arbitration& arbitration, const Request& request = {});
 
   const World& world() const { return world_; }
 

@@ -9,6 +9,7 @@
 
 #include "engine/parameters/nearest_name.h"
 #include "engine/parameters/utf8.h"
+#include "engine/script/language/script_arguments.h"
 #include "engine/script/language/world_fields.h"
 #include "engine/script/sandbox/binding.h"
 #include "engine/script/sandbox/safe_library.h"
@@ -190,6 +191,32 @@ std::vector<TestFailure> TestBench::finish() {
   return failures_;
 }
 
+namespace {
+
+/// The table of arguments at `index`; none: no table is there. Throws std::runtime_error with one line.
+std::vector<CallArgument> arguments_at(lua_State* L, int index) {
+  std::vector<CallArgument> arguments;
+  if (lua_isnoneornil(L, index)) return arguments;
+  luaL_checktype(L, index, LUA_TTABLE);
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING)
+      throw std::runtime_error(
+          "load_behavior: expected named arguments, as in load_behavior(\"walk_to\", { x = 1.0 })");
+    CallArgument argument;
+    argument.name = lua_tostring(L, -2);
+    const std::optional<ParameterValue> value = parameter_value(L, -1);
+    if (!value) {
+      throw std::runtime_error("load_behavior: " + argument.name +
+                               ": expected a number, a boolean or a string, found a " + luaL_typename(L, -1));
+    }
+    argument.value = *value;
+    arguments.push_back(std::move(argument));
+  }
+  return arguments;
+}
+
+}  // namespace
+
 // ---- functions of a test
 
 int TestBench::load_behavior(lua_State* L) {
@@ -198,7 +225,7 @@ int TestBench::load_behavior(lua_State* L) {
   const std::string script = script_named(root_, name);
   ScriptHost& host = behaviors().host();
   const std::size_t before = host.definitions().size();
-  host.load(script);
+  host.load(script, arguments_at(L, 2));
   if (host.definitions().size() == before) throw std::runtime_error("load_behavior: '" + name + "' is already loaded");
   last_script_ = name;
   read_machines();
@@ -317,13 +344,14 @@ void TestBench::step() {
                                                {.is_pose_set = std::exchange(is_pose_set_, false)});
   ++frame_;
   set_application(world.time);
-  scripts.tick(world, messages_);
+  scripts.tick(world, messages_, &arbiter_);
   messages_.clear();
   application_.start(scripts.wanted().actions, world.time);
   started_.insert(started_.end(), application_.started().begin(), application_.started().end());
   arbiter_.set_parameters(arbiter_parameters_);
   const Arbitration& arbitration = arbiter_.arbitrate(scripts.wanted().commands, scripts.leases(), world);
-  fake_world_.end_frame(arbitration);
+  request_ = permitted(scripts.wanted().request, world);
+  fake_world_.end_frame(arbitration, request_);
   const NameTable& names = *scripts.host().names().table();
   const ScriptOutput& output = scripts.said();
   seen_.note(names, output.transitions, output.logs, output.faults);
@@ -331,7 +359,6 @@ void TestBench::step() {
   seen_.note_commands(arbitration.commands, arbitration.begun);
   trace_.note(scripts.host().definitions(), names, output.transitions);
   leases_.assign(scripts.leases().begin(), scripts.leases().end());
-  request_ = permitted(scripts.wanted().request, world);
   if (scenario_) {
     scripts.host().read_status(statuses_);
     scripts.host().read_published(published_);
@@ -390,7 +417,7 @@ int TestBench::reload(lua_State* L) {
     added_.script_edits.push_back(edit);
     return 0;
   }
-  std::vector<ReloadRecord> reloads = behaviors().apply({&edit, 1}, arbiter_);
+  std::vector<ReloadRecord> reloads = behaviors().apply({&edit, 1}, arbiter_, application_);
   if (scenario_) scenario_->apply({&edit, 1});
   for (ReloadRecord& reload : reloads) {
     if (!reload.accepted) refused_ = std::move(reload.fault);
