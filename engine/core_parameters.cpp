@@ -71,6 +71,7 @@ void declare(CoreParameters& parameters, ParameterRegistry& registry) {
   registry.bind("seen_view", parameters.seen_view);
   registry.bind("repeated_pose", parameters.repeated_pose);
   registry.bind("external_belief", parameters.external_belief);
+  registry.bind("external_percepts", parameters.external_percepts);
   registry.bind("arbiter", parameters.arbiter);
 }
 

@@ -2,6 +2,7 @@
 // All parameters of the engine except those of scripts; the registry changes them live.
 #pragma once
 
+#include "engine/merged_percepts.h"
 #include "engine/world/arbiter.h"
 #include "engine/world/external_belief.h"
 #include "engine/world/goal_view.h"
@@ -29,6 +30,7 @@ struct CoreParameters {
   SeenViewParameters seen_view;
   RepeatedPoseParameters repeated_pose;
   ExternalBeliefParameters external_belief;
+  ExternalPerceptParameters external_percepts;
   ArbiterParameters arbiter;
 };
 

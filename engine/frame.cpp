@@ -163,7 +163,8 @@ void FrameLoop::follow_posture(const SensedPosture& posture, const BodySample& b
 
 CameraPercepts FrameLoop::see_field(const Observation& observation) {
   const StageTimer timer(record_, Stage::field);
-  return reorient::see_field(observation, world(), localizer_.bias(), field_vision_, record_.inputs, record_.percepts);
+  return reorient::see_field(observation, world(), localizer_.bias(), parameters_, field_vision_, record_.inputs,
+                             record_.percepts);
 }
 
 /// After a jump of the belief the confidences restart, since they were computed for the old belief.

@@ -2,6 +2,7 @@
 #include "engine/stages.h"
 
 #include "engine/covered_areas.h"
+#include "engine/merged_percepts.h"
 #include "engine/world/goal_view.h"
 #include "engine/world/seen_view.h"
 #include "localization/reorientation.h"
@@ -51,8 +52,11 @@ SensedPosture sense_posture(const Observation& observation, const BodySample& la
 }
 
 CameraPercepts see_field(const Observation& observation, const World& world, const CameraBias& bias,
-                         FieldVision& vision, InputRecord& cameras, FieldPercepts& percepts) {
+                         const CoreParameters& parameters, FieldVision& vision, InputRecord& cameras,
+                         FieldPercepts& percepts) {
   CameraPercepts seen;
+  DetectorCameras detector;
+  const bool has_own_vision = !observation.percepts || !observation.percepts->replaces_vision;
   const auto see = [&](const std::optional<CameraFrame>& frame, std::optional<CameraRecord>& camera,
                        std::size_t which) {
     FieldPercept& percept = percepts[which];
@@ -61,13 +65,22 @@ CameraPercepts see_field(const Observation& observation, const World& world, con
     if (!frame) return;
     camera = CameraRecord{frame->time, frame->camera, corrected(frame->robot_from_camera, bias, which),
                           frame->image.width, frame->image.height};
-    if (frame->time != observation.time)
-      camera->robot_from_camera = to_isometry(moved_since(*frame, observation)) * camera->robot_from_camera;
-    if (world.upright()) vision[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);
+    Isometry3 measured = frame->robot_from_camera;
+    if (frame->time != observation.time) {
+      const Isometry3 moved = to_isometry(moved_since(*frame, observation));
+      camera->robot_from_camera = moved * camera->robot_from_camera;
+      measured = moved * measured;
+    }
+    if (observation.percepts) detector[which] = {frame->camera, measured, camera->robot_from_camera};
+    if (world.upright() && has_own_vision)
+      vision[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);
     seen[which] = {&percept, camera->robot_from_camera};
   };
   see(observation.upper, cameras.upper, kUpper);
   see(observation.lower, cameras.lower, kLower);
+  if (observation.percepts && world.upright())
+    add_external(*observation.percepts, detector, world.field, parameters.external_percepts, parameters.field_features,
+                 percepts);
   return seen;
 }
 

@@ -36,9 +36,11 @@ BodySample latest_sample(const Observation& observation);
 SensedPosture sense_posture(const Observation& observation, const BodySample& latest, const RobotBody& body,
                             bool get_up_requested, const PostureParameters& parameters, PostureEstimator& estimator);
 
-/// Fills in the camera records and the percepts; the result refers to `percepts`. `bias`: of the camera's angles.
+/// Fills in the camera records and the percepts, also those of an external detector; the result refers to `percepts`.
+/// `bias`: of the camera's angles.
 CameraPercepts see_field(const Observation& observation, const World& world, const CameraBias& bias,
-                         FieldVision& vision, InputRecord& cameras, FieldPercepts& percepts);
+                         const CoreParameters& parameters, FieldVision& vision, InputRecord& cameras,
+                         FieldPercepts& percepts);
 
 /// The belief of an external localization if given; the engine's own pauses then. If it cannot be read, the last belief
 /// moves with the odometry for some time. Nothing: the engine's own localization is in use.

@@ -17,6 +17,7 @@
 #include "geometry/pose2.h"
 #include "robots/answer.h"
 #include "robots/application.h"
+#include "robots/external_percepts.h"
 #include "robots/referee.h"
 
 namespace reorient {
@@ -119,7 +120,8 @@ struct Observation {
   Pose2 odometry;    ///< dead reckoning since the start: m, rad; only its change from frame to frame is used
   ReportedPosture reported_posture = ReportedPosture::unknown;
   std::optional<ExternalBelief> belief;
-  ExternalInputs external;  ///< received by the robot's own software
+  std::optional<ExternalPercepts> percepts;  ///< nothing: no detector looked at the images of this frame
+  ExternalInputs external;                   ///< received by the robot's own software
 };
 
 class Robot {

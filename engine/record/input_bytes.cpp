@@ -42,6 +42,17 @@ void archive_camera(Archive& archive, auto& frame, std::vector<std::uint8_t>& ow
   pixels ? archive_image(archive, frame->image, own) : archive_image(archive, none, own);
 }
 
+/// An optional part at the end: without percepts, the bytes are those of a program that knows no percepts.
+template <typename Archive>
+void archive_percepts(Archive& archive, auto& percepts, InputMemory& memory) {
+  if constexpr (Archive::kReads) {
+    if (archive.left() > 0) percepts.emplace();
+  }
+  if (!percepts) return;
+  archive(percepts->replaces_vision);
+  archive_view(archive, percepts->list, memory.percepts);
+}
+
 template <typename Archive>
 void archive_inputs(Archive& archive, auto& inputs, InputMemory& memory, bool pixels = true) {
   auto& seen = inputs.observation;
@@ -56,6 +67,7 @@ void archive_inputs(Archive& archive, auto& inputs, InputMemory& memory, bool pi
     archive_view(archive, seen.belief->particles, memory.particles);
   }
   archive(seen.external, inputs.parameter_changes, inputs.script_edits, inputs.external);
+  archive_percepts(archive, seen.percepts, memory);
 }
 
 void write(const FrameInputs& inputs, bool pixels, std::vector<std::byte>& bytes) {

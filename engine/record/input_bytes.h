@@ -22,6 +22,7 @@ struct InputMemory {
   std::array<std::vector<std::uint8_t>, 2> images;  ///< of the upper and of the lower camera
   std::vector<BodySample> body_samples;
   std::vector<ExternalBelief::Particle> particles;
+  std::vector<ExternalPercept> percepts;
 };
 
 /// Inputs with memory of their own.

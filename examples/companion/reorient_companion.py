@@ -19,6 +19,10 @@ SLOTS, SLOT_HEADER, VERSION, WANTS = 3, 64, 2, 1 + 2 + 4  # wants: head, walk, g
 TOLD_FRAMES = 60
 REPORTS = {"running": 1, "done": 2, "failed": 3}
 Action = collections.namedtuple("Action", "id name arguments")  # arguments: by name
+PERCEPT_LINE, PERCEPT_LINE_POINT, PERCEPT_GOAL_POST, PERCEPT_L, PERCEPT_T, PERCEPT_X = range(6)
+PERCEPT_PENALTY_MARK, PERCEPT_CENTER_CIRCLE, PERCEPT_BALL, PERCEPT_ROBOT, PERCEPT_PERSON = range(6, 11)
+ON_GROUND, IN_UPPER_IMAGE, IN_LOWER_IMAGE = range(3)
+PERCEPTS_WITH, PERCEPTS_INSTEAD, MOST_PERCEPTS = 1, 2, 256
 LENS_OF_CAMERA, LENS_PINHOLE, LENS_FISHEYE, LENS_EQUIRECTANGULAR = 0, 1, 2, 3
 
 
@@ -29,13 +33,21 @@ def lens(model, coefficients):
     return struct.pack("<II8d", model, len(coefficients), *padded) + bytes(72)  # no second camera
 
 
+def percept(what, space, at, confidence=1.0, direction=None, covariance=None, base_hidden=False):
+    """Bytes of one percept for `percepts` of Companion.send(). `at`: up to four numbers, as REORIENT_PERCEPT_... in
+    reorient_companion.h explains; `covariance`: xx, xy, yy."""
+    has = (direction is not None) + 2 * (covariance is not None) + 4 * base_hidden
+    padded = tuple(at) + (0.0,) * (4 - len(at))
+    return struct.pack("<III9f", what, space, has, confidence, *padded, direction or 0.0, *(covariance or (0.0,) * 3))
+
+
 class Companion:
     """The connection. It reconnects after a failure, and no call blocks. `camera`: focal length, center, distortion, position
     and tilt of the camera, 10 numbers; `body`: name of a shipped robot body, as bytes; `lenses`: result of lens() if the
     camera is not a pinhole with two radial coefficients; `interface`: name and text of an interface file, if your program has
-    values and actions of its own."""
+    values and actions of its own; `detector`: PERCEPTS_WITH or PERCEPTS_INSTEAD if your frames contain percepts."""
 
-    def __init__(self, path, way, body, width, height, camera, lenses=b"", interface=None):
+    def __init__(self, path, way, body, width, height, camera, lenses=b"", interface=None, detector=0):
         self.path, self.socket, self.broken = path, None, False
         self.number = self.told = self.sequence = self.slot = 0
         self.server, self.done = 0, (0, 0)  # id of the server; server and number of the last command
@@ -52,10 +64,13 @@ class Companion:
                       struct.pack("<HHI10d", width, height, YUYV, *camera) + bytes(88) +
                       struct.pack("<32s136x", body) + bytes(160) + lenses)
         self.last_action = 0
-        if interface:
-            name, text = (part.encode() for part in interface)
+        self.has_detector = bool(detector)
+        if interface or detector:
+            name, text = (part.encode() for part in interface or ("", ""))
             self.hello += b"" if lenses else bytes(144)
             self.hello += struct.pack("<32sII", name, len(text), 0) + text
+        if detector:
+            self.hello += struct.pack("<II", detector, 0)
 
     def connect(self):
         if self.socket and not self.broken:
@@ -83,10 +98,11 @@ class Companion:
         self.sequence += 2
         self.images[at:at + 8] = struct.pack("<Q", self.sequence)
 
-    def send(self, time, has, numbers, particles):
+    def send(self, time, has, numbers, particles, percepts=None):
         """Return True if the frame was sent. Otherwise it is lost, because no server runs or the server is slow. `numbers`: the
         28 numbers of reorient_frame from odometry on. The next frame then contains the initial pose. If the server that
-        answered it ends within two seconds, the next server gets it again."""
+        answered it ends within two seconds, the next server gets it again. `percepts`: results of percept(), with a `detector`
+        only; None: your detector has not looked at this image."""
         self.number += 1
         if has & HAS_TOLD_POSE:
             self.kept = (numbers[23:26], numbers[26:], numbers[:3], has & OTHER_HALF)
@@ -99,6 +115,8 @@ class Companion:
         body = (struct.pack("<QdIIIIIIQ", self.number, time, has, 0, 0, len(particles), 0, self.done[1], self.done[0]) +
                 struct.pack("<28dIIQd216x", *numbers, self.slot, 1, self.sequence, 0.0) +
                 b"".join(struct.pack("<4f", *one) for one in particles))
+        if percepts is not None and self.has_detector:
+            body += struct.pack("<II", len(percepts[:MOST_PERCEPTS]), 0) + b"".join(percepts[:MOST_PERCEPTS])
         if ready:
             self.rest_out = struct.pack("<IHH", len(body), FRAME, VERSION) + body
             self.flush()

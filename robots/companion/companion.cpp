@@ -70,9 +70,11 @@ Companion::Companion(CompanionOptions options)
   samples_.reserve(kMostSamples);
   body_samples_.reserve(kMostSamples);
   particles_.reserve(REORIENT_MOST_PARTICLES);
+  percepts_.reserve(REORIENT_MOST_PERCEPTS);
   for (Arrived* const one : {&arrived_, &newest_}) {
     one->message.particles.reserve(REORIENT_MOST_PARTICLES);
     one->message.messages.reserve(REORIENT_MOST_MESSAGES);
+    one->message.percepts.list.reserve(REORIENT_MOST_PERCEPTS);
   }
 }
 
@@ -121,6 +123,7 @@ bool Companion::observe(Observation& observation) {
 
 void Companion::connected() {
   ++counts_.clients;
+  reported_percepts_ = false;
   handshake_.reset();
   has_other_robot_ = false;
   welcomed_ = false;
@@ -194,7 +197,7 @@ void Companion::take_memory(std::span<const std::byte> body, OwnedDescriptor& me
 }
 
 void Companion::take_frame(std::span<const std::byte> body) {
-  read_frame(body, arrived_.message);
+  read_frame(body, handshake_->has_detector, arrived_.message);
   for (std::size_t i = 0; i < shared_.size(); ++i) {
     const reorient_image& image = arrived_.message.frame.images[i];
     if (image.present == 0) continue;
@@ -204,6 +207,7 @@ void Companion::take_frame(std::span<const std::byte> body) {
                        " (expected 0 to 2)");
   }
   ++counts_.frames;
+  report_percepts();
   command_.acknowledge(arrived_.message.frame.done_server, arrived_.message.frame.done);
   if (pending_.add(arrived_.message)) command_.withdraw();
   if (const std::string error = error_in(arrived_.message); !error.empty())
@@ -303,11 +307,26 @@ bool Companion::use_newest(Observation& observation) {
     belief.covariance = covariance_of(frame.covariance);
     belief.particles = particles_;
   }
+  if (message.has_percepts) {
+    percepts_ = message.percepts.list;
+    observation.percepts = {handshake_->detector_replaces_vision, percepts_};
+  }
   observation.external = pending_.take(message);
   answered_ = frame.number;
   answered_time_ = time;
   answered_at_ = newest_.at;
   return true;
+}
+
+/// Reports invalid percepts once for each connection.
+void Companion::report_percepts() {
+  const PerceptMessage& percepts = arrived_.message.percepts;
+  counts_.percepts += percepts.dropped;
+  if (percepts.dropped == 0 || std::exchange(reported_percepts_, true)) return;
+  const std::string problem = "frame " + std::to_string(arrived_.message.frame.number) + ": " +
+                              std::to_string(percepts.dropped) + " of its percepts dropped: " + percepts.mistake;
+  tell_note(NoteKind::fault, problem);
+  tell(problem);
 }
 
 /// Uses the standing load if the robot does not report the load on its feet.

@@ -75,6 +75,7 @@ class Companion : public Robot, private Receiver {
     std::uint64_t unusable = 0;    ///< frames with invalid numbers, a time not after the last, or an overwritten image
     std::uint64_t unanswered = 0;  ///< answers that could not be sent
     std::uint64_t clients = 0;
+    std::uint64_t percepts = 0;  ///< percepts with invalid numbers, which were dropped
   };
   const Counts& counts() const { return counts_; }
 
@@ -109,6 +110,7 @@ class Companion : public Robot, private Receiver {
   void take_samples(double time, bool has_time);
   bool take_images(const FrameMessage& message, double time, Observation& observation);
   void welcome_client();
+  void report_percepts();
   void drop_frame(std::uint64_t number, const std::string& why);
   void send_waiting();
 
@@ -137,11 +139,13 @@ class Companion : public Robot, private Receiver {
   std::vector<reorient_sample> samples_;  ///< waiting for a frame that was exposed after them
   double last_time_ = 0.0;                ///< s, engine's time of the previous frame
   double next_complaint_ = 0.0;           ///< s, on the server's clock
+  bool reported_percepts_ = false;        ///< that this client's percepts are invalid
 
   // Storage of the observation, valid until the next one.
   std::array<Image, 2> images_;
   std::vector<BodySample> body_samples_;
   std::vector<ExternalBelief::Particle> particles_;
+  std::vector<ExternalPercept> percepts_;
   std::uint64_t answered_ = 0;  ///< number of the frame
   double answered_time_ = 0.0;  ///< s, on the client's clock
   double answered_at_ = 0.0;    ///< s, on the server's clock, arrival time

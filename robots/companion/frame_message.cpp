@@ -62,7 +62,7 @@ bool is_camera_pose(const double (&pose)[12]) {
 
 }  // namespace
 
-void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
+void read_frame(std::span<const std::byte> bytes, bool has_detector, FrameMessage& message) {
   message.frame = take_message<reorient_frame>(bytes, "frame");
   message.particles.clear();
   message.messages.clear();
@@ -86,6 +86,9 @@ void read_frame(std::span<const std::byte> bytes, FrameMessage& message) {
       throw BadMessage("frame: message of " + std::to_string(word.length) + " bytes (expected at most 240)");
     message.messages.push_back({word.sender, std::string(word.text, word.length)});
   }
+  message.percepts.clear();
+  message.has_percepts = has_detector && !bytes.empty();
+  if (message.has_percepts) read_percepts(bytes, message.percepts);
   if (!bytes.empty())
     throw BadMessage("frame: " + std::to_string(bytes.size()) + " bytes more than its particles and messages need");
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robots/companion/message.h"
+#include "robots/companion/percept_message.h"
 #include "robots/robot.h"
 
 namespace reorient {
@@ -15,12 +16,15 @@ struct FrameMessage {
   reorient_frame frame{};
   std::vector<ExternalBelief::Particle> particles;
   std::vector<Message> messages;
+  bool has_percepts = false;  ///< the client's detector has looked at the images
+  PerceptMessage percepts;
 
   bool has(std::uint32_t what) const { return (frame.has & what) != 0; }
 };
 
-/// Throws BadMessage for a wrong size, too many particles or messages, or an unknown value of a field that is a choice.
-void read_frame(std::span<const std::byte> bytes, FrameMessage& message);
+/// Throws BadMessage for a wrong size, too many particles, messages or percepts, or an unknown value of a field that is
+/// a choice. `has_detector`: the hello permits percepts.
+void read_frame(std::span<const std::byte> bytes, bool has_detector, FrameMessage& message);
 
 /// Which numbers are invalid, and what is expected; empty if valid. An invalid frame is dropped, the client stays.
 std::string error_in(const FrameMessage& message);

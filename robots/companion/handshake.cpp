@@ -145,23 +145,36 @@ FieldDimensions field_of(const reorient_field& sent, const RobotBody& body, cons
   return field;
 }
 
-/// The block after the lenses, with its text.
-ApplicationInterface interface_of(std::span<const std::byte> bytes, const KnownRobots& known) {
+/// Removes the block after the lenses and its text from the front.
+ApplicationInterface interface_of(std::span<const std::byte>& bytes, const KnownRobots& known) {
   const auto sent = take_message<reorient_interface>(bytes, "hello: interface");
+  const bool has_more = bytes.size() == sent.size + sizeof(reorient_detector);
+  if (sent.size == 0 && has_more) return known.default_interface;
   if (sent.size == 0 || sent.size > REORIENT_LONGEST_INTERFACE)
     throw BadMessage("hello: interface: expected a text of 1 to 32768 bytes, found " + std::to_string(sent.size));
-  if (bytes.size() != sent.size)
+  if (bytes.size() != sent.size && !has_more)
     throw BadMessage("hello: interface: expected " + std::to_string(sent.size) + " bytes of text, found " +
                      std::to_string(bytes.size()));
   if (!known.interface) throw BadMessage("hello: interface: not supported here");
   std::string text(sent.size, '\0');
   std::memcpy(text.data(), bytes.data(), text.size());
+  bytes = bytes.subspan(sent.size);
   const std::string name = text_of(sent.name);
   try {
     return known.interface(text, name.empty() ? "interface" : name);
   } catch (const std::runtime_error& mistake) {
     throw BadMessage("hello: interface: " + std::string(mistake.what()));
   }
+}
+
+void take_detector(std::span<const std::byte> bytes, Handshake& handshake) {
+  if (bytes.empty()) return;
+  const auto sent = take_message<reorient_detector>(bytes, "hello: detector");
+  if (sent.use != REORIENT_PERCEPTS_WITH && sent.use != REORIENT_PERCEPTS_INSTEAD)
+    throw BadMessage("hello: detector: use is " + std::to_string(sent.use) +
+                     " (expected 1, with Reorient's field vision, or 2, instead of it)");
+  handshake.has_detector = true;
+  handshake.detector_replaces_vision = sent.use == REORIENT_PERCEPTS_INSTEAD;
 }
 
 }  // namespace
@@ -174,6 +187,7 @@ Handshake read_handshake(std::span<const std::byte> bytes, const KnownRobots& kn
   }
   Handshake handshake;
   handshake.application = bytes.empty() ? known.default_interface : interface_of(bytes, known);
+  take_detector(bytes, handshake);
   if (hello.way != REORIENT_OWN_LOCALIZATION && hello.way != REORIENT_OUR_LOCALIZATION)
     throw BadMessage("hello: way is " + std::to_string(hello.way) +
                      " (expected 1, your localization, or 2, Reorient's)");

@@ -40,6 +40,8 @@ struct Handshake {
   std::array<std::optional<reorient_camera>, 2> cameras;  ///< upper and lower camera
   std::array<Lens, 2> lenses;                             ///< lens of each camera
   ApplicationInterface application;
+  bool has_detector = false;              ///< frames may contain percepts of the client's own detector
+  bool detector_replaces_vision = false;  ///< these are used instead of the engine's own field vision
 };
 
 /// Throws BadMessage.

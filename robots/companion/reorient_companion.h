@@ -28,7 +28,8 @@ enum {
   REORIENT_LONGEST_TEXT = 240,        /* bytes of a message between robots */
   REORIENT_LONGEST_DATAGRAM = 256,    /* bytes of a datagram of the GameController */
   REORIENT_LONGEST_INTERFACE = 32768, /* bytes of the declarations of an application */
-  REORIENT_LONGEST_VALUES = 32768     /* bytes of the values of an application in one message */
+  REORIENT_LONGEST_VALUES = 32768,    /* bytes of the values of an application in one message */
+  REORIENT_MOST_PERCEPTS = 256        /* of your own detector, in one frame */
 };
 
 /* Precedes each message. */
@@ -150,7 +151,16 @@ struct reorient_lens {
  * such a hello. Without it, a server that was started with --interface uses that one. */
 struct reorient_interface {
   char name[32]; /* zero-terminated */
-  uint32_t size; /* bytes of the text, 1 to REORIENT_LONGEST_INTERFACE */
+  uint32_t size; /* bytes of the text, at most REORIENT_LONGEST_INTERFACE; 0, only if reorient_detector follows: none */
+  uint32_t zero; /* unused, 0 */
+};
+
+enum { REORIENT_PERCEPTS_WITH = 1, REORIENT_PERCEPTS_INSTEAD = 2 };
+
+/* Optional: directly after the text of the interface, in the same message: your frames may end with reorient_percepts.
+ * A server older than this block refuses such a hello. */
+struct reorient_detector {
+  uint32_t use;  /* REORIENT_PERCEPTS_WITH: beside Reorient's own field vision; _INSTEAD: instead of it */
   uint32_t zero; /* unused, 0 */
 };
 
@@ -224,6 +234,48 @@ struct reorient_message {
   int32_t sender;  /* player number of the sender */
   uint32_t length; /* bytes of the text, 0 to 240; a terminating zero is not necessary */
   char text[REORIENT_LONGEST_TEXT];
+};
+
+/* What your own detector, for example a neural network, found in the images of the frame. */
+enum { /* reorient_percept.what, and the numbers in `at` on the ground; in an image they are pixels */
+       REORIENT_PERCEPT_LINE = 0,       /* x and y of one end, x and y of the other end */
+       REORIENT_PERCEPT_LINE_POINT = 1, /* x, y of a point on a line; `direction` along the line is necessary */
+       REORIENT_PERCEPT_GOAL_POST = 2,  /* x, y of the foot; in an image, x and y of the foot, x and y of the top */
+       REORIENT_PERCEPT_L = 3,          /* x, y of an intersection of two lines */
+       REORIENT_PERCEPT_T = 4,
+       REORIENT_PERCEPT_X = 5,
+       REORIENT_PERCEPT_PENALTY_MARK = 6,  /* x, y */
+       REORIENT_PERCEPT_CENTER_CIRCLE = 7, /* x, y of the center; `direction` along the halfway line */
+       REORIENT_PERCEPT_BALL = 8,          /* x, y below the ball; in an image, x and y of its center, its radius */
+       REORIENT_PERCEPT_ROBOT = 9,  /* x, y, width, height (m; 0: unknown); in an image, left, top, right, bottom */
+       REORIENT_PERCEPT_PERSON = 10 /* the same */
+};
+
+enum { REORIENT_ON_GROUND = 0, REORIENT_IN_UPPER_IMAGE = 1, REORIENT_IN_LOWER_IMAGE = 2 };
+
+enum { /* reorient_percept.has */
+       REORIENT_PERCEPT_DIRECTION = 1,
+       REORIENT_PERCEPT_COVARIANCE = 2,
+       REORIENT_PERCEPT_BASE_HIDDEN = 4 /* of a goal post: its foot is not in view, so its distance is rough */
+};
+
+struct reorient_percept {
+  uint32_t what;    /* REORIENT_PERCEPT_LINE ... */
+  uint32_t space;   /* REORIENT_ON_GROUND: robot coordinates at the frame's time, m; _IN_UPPER_IMAGE, _IN_LOWER_IMAGE:
+                       pixels of the frame's image of this camera, from the middle of its first pixel, y downwards */
+  uint32_t has;     /* REORIENT_PERCEPT_DIRECTION ... */
+  float confidence; /* 0 to 1 */
+  float at[4];      /* see REORIENT_PERCEPT_LINE ... */
+  float direction;  /* rad to the left of x; in an image from right (0) to down (pi / 2). Of a T: along the line that
+                       ends, away from the other one; of an L: between its arms; of an X: along any arm */
+  float covariance[3]; /* of the point: xx, xy, yy, m^2 or pixels^2 */
+};
+
+/* After the messages of a frame, if the hello contains reorient_detector and the detector has looked at the images of
+ * this frame. `count` percepts follow. */
+struct reorient_percepts {
+  uint32_t count; /* 0 to REORIENT_MOST_PERCEPTS */
+  uint32_t zero;  /* unused, 0 */
 };
 
 /* ---- sample: sensor values of the body between two frames ---- */
@@ -333,11 +385,14 @@ REORIENT_SIZE(reorient_field, 160);
 REORIENT_SIZE(reorient_hello, 528);
 REORIENT_SIZE(reorient_lens, 72);
 REORIENT_SIZE(reorient_interface, 40);
+REORIENT_SIZE(reorient_detector, 8);
 REORIENT_SIZE(reorient_memory, 8);
 REORIENT_SIZE(reorient_image, 120);
 REORIENT_SIZE(reorient_frame, 512);
 REORIENT_SIZE(reorient_particle, 16);
 REORIENT_SIZE(reorient_message, 248);
+REORIENT_SIZE(reorient_percept, 48);
+REORIENT_SIZE(reorient_percepts, 8);
 REORIENT_SIZE(reorient_sample, 104);
 REORIENT_SIZE(reorient_game, 272);
 REORIENT_SIZE(reorient_report, 128);
@@ -386,6 +441,10 @@ struct reorient_client {
   struct reorient_lens lenses[2]; /* sent if one has a model: set them between open and the first frame */
   const char* interface_text; /* sent if not NULL: the text of an interface file; set it and the name as the lenses */
   const char* interface_name;
+  uint32_t detector; /* sent if not 0: REORIENT_PERCEPTS_WITH or REORIENT_PERCEPTS_INSTEAD; set it as the lenses */
+  const struct reorient_percept* percepts; /* of the next frame, see reorient_set_percepts() */
+  struct reorient_percepts percepts_header;
+  int has_percepts;
   uint32_t last_action; /* id of the last action that reorient_is_new_action() accepted */
   struct sockaddr_un address;
   int socket;    /* -1: not connected; use poll() to wait for messages */
@@ -557,7 +616,8 @@ static inline int reorient_is_trusted(int server) {
  * reorient_receive() can read the remaining messages before. */
 static inline int reorient_connect(struct reorient_client* client) {
   struct reorient_interface interface;
-  size_t lenses, text; /* bytes */
+  struct reorient_detector detector;
+  size_t lenses, text, blocks; /* bytes */
   if (client->socket >= 0 && !client->broken) return 1;
   reorient_disconnect(client);
   client->socket = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -570,16 +630,21 @@ static inline int reorient_connect(struct reorient_client* client) {
   client->first_number = client->number;
   text = client->interface_text != NULL ? strlen(client->interface_text) : 0;
   if (text > REORIENT_LONGEST_INTERFACE) text = REORIENT_LONGEST_INTERFACE;
-  lenses = text > 0 || client->lenses[0].model != 0 || client->lenses[1].model != 0 ? sizeof client->lenses : 0;
-  reorient_begin(client, REORIENT_HELLO, sizeof client->hello + lenses + (text > 0 ? sizeof interface + text : 0));
+  detector.use = client->detector;
+  detector.zero = 0;
+  blocks = (text > 0 || detector.use != 0 ? sizeof interface + text : 0) + (detector.use != 0 ? sizeof detector : 0);
+  lenses = blocks > 0 || client->lenses[0].model != 0 || client->lenses[1].model != 0 ? sizeof client->lenses : 0;
+  reorient_begin(client, REORIENT_HELLO, sizeof client->hello + lenses + blocks);
   reorient_append(client, &client->hello, sizeof client->hello);
   reorient_append(client, client->lenses, lenses);
-  if (text > 0) {
+  if (blocks > 0) {
     memset(&interface, 0, sizeof interface);
-    if (client->interface_name != NULL) strncpy(interface.name, client->interface_name, sizeof interface.name - 1);
+    if (text > 0 && client->interface_name != NULL)
+      strncpy(interface.name, client->interface_name, sizeof interface.name - 1);
     interface.size = (uint32_t)text;
     reorient_append(client, &interface, sizeof interface);
     reorient_append(client, client->interface_text, text);
+    if (detector.use != 0) reorient_append(client, &detector, sizeof detector);
   }
   if (reorient_flush(client) && reorient_send_memory(client, 0) && reorient_send_memory(client, 1)) return 1;
   reorient_break(client);
@@ -642,6 +707,16 @@ static inline void reorient_keep_told(struct reorient_client* client, const stru
   client->told_half = frame->has & REORIENT_OTHER_HALF;
 }
 
+/* Percepts of the next frame, from your own detector. The next reorient_send_frame() reads the array and forgets it.
+ * Call it with `count` 0 if the detector found nothing; do not call it if the detector has not looked at this frame. */
+static inline void reorient_set_percepts(struct reorient_client* client, const struct reorient_percept* percepts,
+                                         uint32_t count) {
+  client->percepts = percepts;
+  client->percepts_header.count = count < REORIENT_MOST_PERCEPTS ? count : (uint32_t)REORIENT_MOST_PERCEPTS;
+  client->percepts_header.zero = 0;
+  client->has_percepts = client->detector != 0;
+}
+
 /* Returns 1 if the frame is sent. Returns 0 and counts it as lost if no server listens or the server is slow. Then an
  * initial pose is sent with the next frame, and without an answer again with the first frame of the next connection.
  * `frame->particles` and `frame->messages` are the lengths of the arrays. The call sets the number of the frame and of
@@ -666,16 +741,22 @@ static inline int reorient_send_frame(struct reorient_client* client, struct reo
   }
   if (ready) {
     const size_t clouds = sent.particles * sizeof *particles, words = sent.messages * sizeof *messages;
-    reorient_begin(client, REORIENT_FRAME, sizeof sent + clouds + words);
+    const size_t head = client->has_percepts ? sizeof client->percepts_header : 0;
+    const size_t found = client->has_percepts ? client->percepts_header.count * sizeof *client->percepts : 0;
+    reorient_begin(client, REORIENT_FRAME, sizeof sent + clouds + words + head + found);
     reorient_append(client, &sent, sizeof sent);
     reorient_append(client, particles, clouds);
     reorient_append(client, messages, words);
+    reorient_append(client, &client->percepts_header, head);
+    reorient_append(client, client->percepts, found);
+    client->has_percepts = 0;
     reorient_flush(client);
     if (!client->broken) {
       client->told_is_sent = 1;
       return 1;
     }
   }
+  client->has_percepts = 0;
   ++client->lost;
   return 0;
 }

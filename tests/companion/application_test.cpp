@@ -63,6 +63,25 @@ TEST(ApplicationOfAClient, WithAMistakeInItsInterfaceIsRefusedWithTheLine) {
   EXPECT_NE(said.find("refused: hello: interface: wrong:2: type: expected number"), std::string::npos) << said;
 }
 
+TEST(DetectorOfAClient, LocatesTheRobotAndIsReplayed) {
+  const TemporaryFolder folder;
+  const std::string socket = (folder.path() / "s").string(), recording = (folder.path() / "run.mcap").string();
+  {
+    ChildProgram companion(folder.path(), {"run", "--robot", "companion", "--socket", socket, "--behaviors",
+                                           "orientation", "--record", recording});
+    ASSERT_TRUE(companion.await("waiting for a client")) << companion.err();
+    int code = 0;
+    const std::string said = output_of("python3 " + kTree + "/examples/companion/detector.py " + socket, code);
+    EXPECT_EQ(code, 0) << said << companion.err();
+    EXPECT_EQ(said, "pose: -2.0 m, 1.0 m, 0.3 rad\n");
+    companion.kill(SIGTERM);
+    companion.wait();
+  }
+  ChildProgram replay(folder.path(), {"replay", recording});
+  EXPECT_EQ(replay.wait(), 0) << replay.out() << replay.err();
+  EXPECT_NE(replay.out().find("all frames are the same as recorded"), std::string::npos) << replay.out();
+}
+
 TEST(ApplicationThatEmbedsTheEngine, RunsAShippedBehavior) {
   int code = 0;
   const std::string said = output_of(std::string(kApplicationExample) + " " + kTree + "/scripts", code);

@@ -18,6 +18,7 @@
 
 #include <unistd.h>
 
+#include "engine/merged_percepts.h"
 #include "engine/world/application_state.h"
 #include "robots/companion/companion.h"
 #include "tests/declared_field.h"
@@ -55,6 +56,28 @@ KnownRobots known_interface() {
   return known;
 }
 
+constexpr std::uint32_t kMostFuzzedPercepts = 4;
+
+struct FrameWithPercepts {
+  reorient_frame frame;
+  reorient_percepts header;
+  std::array<reorient_percept, kMostFuzzedPercepts> percepts;
+};
+
+/// The message of a hello whose client has a detector of its own.
+std::vector<std::byte> with_detector(const reorient_hello& hello, std::uint32_t use) {
+  struct {
+    reorient_header header;
+    reorient_hello hello;
+    std::array<reorient_lens, 2> lenses;
+    reorient_interface interface;
+    reorient_detector detector;
+  } const message{
+      {sizeof(message) - sizeof(reorient_header), REORIENT_HELLO, REORIENT_VERSION_2}, hello, {}, {}, {use, 0}};
+  const auto bytes = std::as_bytes(std::span(&message, 1));
+  return {bytes.begin(), bytes.end()};
+}
+
 class Served {
  public:
   void serve(std::span<const std::byte> bytes) {
@@ -65,7 +88,10 @@ class Served {
     looks_ = 0;
     RawClient client(path());
     require(client.is_connected(), "the companion listens");
-    if ((how & 1) != 0) client.introduce(small_hello(1 + (how >> 1 & 3), 1 + (how >> 3 & 1)));
+    const reorient_hello hello = small_hello(1 + (how >> 1 & 3), 1 + (how >> 3 & 1));
+    const bool has_detector = (how & 7) == 5;
+    if (has_detector) client.introduce(with_detector(hello, 1 + (how >> 3 & 1)));
+    if ((how & 1) != 0 && !has_detector) client.introduce(hello);
     if ((how & 17) == 17) client.paint(7);
     const bool is_session = (how & 65) == 65;
     if (!is_session) client.send_bytes(bytes.subspan(1), (how & 32) != 0 ? client.memory() : -1);
@@ -88,7 +114,7 @@ class Served {
     constexpr std::size_t kHeader = 4;
     while (bytes.size() >= kHeader) {
       const auto at = [&bytes](std::size_t i) { return std::to_integer<std::size_t>(bytes[i]); };
-      const std::size_t what = at(0) % 8, offset = at(1) | at(2) << 8,
+      const std::size_t what = at(0) % 9, offset = at(1) | at(2) << 8,
                         size = std::min(at(3) % 32, bytes.size() - kHeader);
       const std::span<const std::byte> changes = bytes.subspan(kHeader, size);
       const auto changed = [&](auto message) {
@@ -121,6 +147,14 @@ class Served {
         client.send(REORIENT_VALUES, changed(json));
       } else if (what == 7) {
         client.send(REORIENT_REPORT, changed(reorient_report{1, REORIENT_ACTION_DONE, "why"}));
+      } else if (what == 8) {
+        FrameWithPercepts message{standing_frame(++number_, now_, client.paint(7)), {kMostFuzzedPercepts, 0}, {}};
+        for (reorient_percept& percept : message.percepts)
+          percept = {REORIENT_PERCEPT_BALL, REORIENT_ON_GROUND, 0, 0.5f, {1.0f, 2.0f, 3.0f, 4.0f}, 0.0f, {}};
+        const reorient_frame frame = message.frame;
+        message = changed(message);
+        if (offset % sizeof(message) >= sizeof(frame)) message.frame = frame;
+        client.send(REORIENT_FRAME, message);
       } else {
         decided_ = static_cast<Reorientation>(offset % enum_count(Reorientation{}));
       }
@@ -148,6 +182,15 @@ class Served {
     require(seen.external.messages.size() <= kMostMessages, "messages are bounded");
     require(seen.external.values.size() <= kMostValues && seen.external.reports.size() <= kMostReports,
             "values and reports are bounded");
+    if (seen.percepts) {
+      require(seen.percepts->list.size() <= kMostExternalPercepts, "percepts are bounded");
+      for (const ExternalPercept& percept : seen.percepts->list)
+        require(mistake_in(percept).empty(), "percepts are valid");
+      percepts_ = {};
+      const DetectorCamera camera{seen.upper ? seen.upper->camera : CameraModel(), Isometry3::Identity(),
+                                  Eigen::Translation3d(0.0, 0.0, 0.5) * Isometry3::Identity()};
+      add_external(*seen.percepts, {camera, std::nullopt}, FieldDimensions(), {}, {}, percepts_);
+    }
     for (const SetValue& value : seen.external.values) require(value.value < 4, "a value is one of the interface");
     std::vector<std::string> mistakes;
     application_.begin_frame(seen.time);
@@ -168,6 +211,7 @@ class Served {
   int looks_ = 0;
   double last_time_ = -1.0;
   std::uint64_t number_ = 0;
+  std::array<FieldPercept, 2> percepts_;
   std::optional<Reorientation> decided_;
   ApplicationState application_{fuzzed_interface()};
   Companion companion_{{path(), known_interface(), 3, [this] { return now_; }, [this] { return ++looks_ > 1; }, 0.0}};

@@ -258,6 +258,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
   out << fmt::format("{} of {}: {} superseded by newer ones, {} unusable; {} not sent\n",
                      counted(counts.frames, "frame"), counted(counts.clients, "client"), counts.superseded,
                      counts.unusable, counted(counts.unanswered, "answer"));
+  if (counts.percepts > 0) out << counted(counts.percepts, "percept") << " with invalid numbers dropped\n";
   return exit_code_of_runs(failures);
 }
 

@@ -263,5 +263,40 @@ TEST_F(CClient, DoesNotConnectToAnotherUsersCompanion) {
   EXPECT_LT(client_.socket, 0);
 }
 
+TEST_F(CClient, SendsPerceptsOfItsDetectorWithTheNextFrame) {
+  client_.detector = REORIENT_PERCEPTS_INSTEAD;
+  begin_companion();
+  reorient_percept ball{};
+  ball.what = REORIENT_PERCEPT_BALL;
+  ball.confidence = 1.0f;
+  ball.at[0] = 2.0f;
+  reorient_set_percepts(&client_, &ball, 1);
+  EXPECT_TRUE(send());
+  auto observation = observed();
+  ASSERT_TRUE(observation && observation->percepts);
+  EXPECT_TRUE(observation->percepts->replaces_vision);
+  ASSERT_EQ(observation->percepts->list.size(), 1u);
+  EXPECT_EQ(observation->percepts->list[0].at[0], 2.0);
+  EXPECT_TRUE(send());
+  observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->percepts) << "percepts are those of one frame";
+  reorient_set_percepts(&client_, nullptr, 0);
+  EXPECT_TRUE(send());
+  observation = observed();
+  ASSERT_TRUE(observation && observation->percepts);
+  EXPECT_TRUE(observation->percepts->list.empty());
+}
+
+TEST_F(CClient, WithoutADetectorSendsNoPercepts) {
+  begin_companion();
+  const reorient_percept ball{};
+  reorient_set_percepts(&client_, &ball, 1);
+  EXPECT_TRUE(send());
+  const auto observation = observed();
+  ASSERT_TRUE(observation);
+  EXPECT_FALSE(observation->percepts);
+}
+
 }  // namespace
 }  // namespace reorient
