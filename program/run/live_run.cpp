@@ -37,6 +37,7 @@ RunEnd LiveRun::run(LiveRunParts live) {
   if (!options_.model.empty())
     observers.push_back(&model_.emplace(options_.model, live.model, options_.sides_changed, live.mounting));
   const bool is_simulated = options_.robot == kSimulator || options_.robot == kFootage;
+  if (live.recording) live.recording->application = live.parts.engine.application();
   recording_.emplace(
       std::move(live.recording), [this](const std::string& line) { tell(line); },
       is_simulated ? EarlierRecording::is_replaced : EarlierRecording::stays);

@@ -10,6 +10,7 @@
 #include "program/model/model_file.h"
 #include "program/parameter_modules.h"
 #include "program/robots.h"
+#include "program/run/missing_interface.h"
 #include "program/script_names.h"
 #include "workbench/files/body_file.h"
 #include "workbench/files/field_file.h"
@@ -149,6 +150,7 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   files_ = files_of(*engine_);
   files_.insert(scenario);
   warn_of_former_fields(scripts, files_);
+  warn_of_missing_values(options.scripts, scripts, files_, engine_->application());
 }
 
 RunParts Simulation::parts() {

@@ -500,9 +500,13 @@ behaviors = {}
 published = {}
 
 ---The values of the application, read-only: `input.NAME` has always a value of its type, `input.age.NAME` is the time since it was set (s; infinite if never), `input.valid.NAME` tells whether it is not too old and fits its declaration. An interface declares them (docs/applications.md).
+---@class reorient.InputAge: table<string, any>
+
+---@class reorient.InputValid: table<string, any>
+
 ---@class reorient.Input: table<string, any>
----@field age table<string, any>
----@field valid table<string, any>
+---@field age reorient.InputAge
+---@field valid reorient.InputValid
 
 ---@type reorient.Input
 input = {}
@@ -514,7 +518,9 @@ input = {}
 ---@field time_in_state number s
 ---@operator call(table): nil
 
----@type table<string, reorient.Action>
+---@class reorient.Actions: table<string, reorient.Action>
+
+---@type reorient.Actions
 action = {}
 
 ---Writes a line to the run's log; in a test, a line below its result.

@@ -131,6 +131,26 @@ TEST_F(CommandsTest, ReferenceContainsTheLibrariesOfTheUser) {
   EXPECT_EQ(run({"reference", "--format", "html"}).code, kBadInput);
 }
 
+TEST_F(CommandsTest, ReferenceOfAnInterfaceIsAPageOrAnnotations) {
+  const ProgramRun page = run({"reference", "--interface", "ball"});
+  EXPECT_EQ(page.code, kSuccess) << page.err;
+  EXPECT_TRUE(page.out.starts_with("# The interface `ball`\n")) << page.out;
+  const ProgramRun annotations = run({"reference", "--interface", "ball", "--format", "annotations"});
+  EXPECT_TRUE(annotations.out.starts_with("---@meta\n")) << annotations.out;
+  const ProgramRun unknown = run({"reference", "--interface", "bal"});
+  EXPECT_EQ(unknown.code, kBadInput);
+  EXPECT_NE(unknown.err.find("unknown interface 'bal' (did you mean 'ball"), std::string::npos) << unknown.err;
+}
+
+TEST_F(CommandsTest, RunWarnsOfAMissingInterface) {
+  const ProgramRun without = run({"run", "--with", "kick_ball", "--seconds", "0.1", "--width", "160", "--no-pictures"});
+  EXPECT_NE(without.err.find("are missing; the interface 'ball' has them: --interface ball"), std::string::npos)
+      << without.err;
+  const ProgramRun with =
+      run({"run", "--with", "kick_ball", "--seconds", "0.1", "--width", "160", "--no-pictures", "--interface", "ball"});
+  EXPECT_EQ(with.err.find("are missing"), std::string::npos) << with.err;
+}
+
 TEST_F(CommandsTest, NewBehaviorPassesItsCheckAndItsTest) {
   ASSERT_EQ(run({"new", "behavior", "ball_search"}).code, kSuccess);
   const ProgramRun checked = run({"check", "--strict"});

@@ -27,12 +27,12 @@
 namespace reorient {
 namespace {
 
-std::vector<ViewTopic> view_topics() {
+std::vector<ViewTopic> view_topics(const ApplicationInterface& application) {
   std::vector<ViewTopic> topics;
   topics.reserve(kViewerTopics.size());
   for (const ViewerTopicInfo& row : kViewerTopics) {
-    topics.push_back(
-        {std::string(row.name), "json", std::string(row.schema), "jsonschema", schema_text(row.schema), row.lasts});
+    topics.push_back({std::string(row.name), "json", std::string(row.schema), "jsonschema",
+                      schema_text(row.schema, application), row.lasts});
   }
   return topics;
 }
@@ -62,6 +62,7 @@ struct Recorder::Shared {
   explicit Shared(const RecorderOptions& options)
       : first_file(options.file),
         about(options.about),
+        topics(view_topics(options.application)),
         file(std::make_unique<RecordingFile>(options.file, options.about, topics)),
         lock_of_first(file->share_lock()),
         viewer(options.jpeg_quality) {}
@@ -74,7 +75,7 @@ struct Recorder::Shared {
   // Used by the thread only.
   const std::filesystem::path first_file;
   const mcap::Texts about;
-  const std::vector<ViewTopic> topics = view_topics();
+  const std::vector<ViewTopic> topics;
   std::unique_ptr<RecordingFile> file;
   const int lock_of_first;  // while further parts are written, no other run may replace the first
   std::uint64_t earlier_bytes = 0, earlier_frames = 0;  // of earlier files

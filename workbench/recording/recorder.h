@@ -31,6 +31,7 @@ struct RecorderOptions {
   std::size_t most_waiting = std::size_t{96} << 20;  ///< most bytes in the queue; above it the recording ends
   double patience = 10.0;                            ///< s that end() waits for the disk
   mcap::Texts about;                                 ///< description of the run: scenario, seed, version
+  ApplicationInterface application{};                ///< of the run; viewers learn the types of its values
 };
 
 class Recorder : public Observer {

@@ -17,6 +17,7 @@
 #include "engine/parameters/counted.h"
 #include "engine/parameters/utf8.h"
 #include "engine/record/digest.h"
+#include "program/former_names.h"
 #include "program/interruption.h"
 #include "program/monotonic_clock.h"
 #include "program/output_mailbox.h"
@@ -25,6 +26,7 @@
 #include "program/run/console/name_pattern.h"
 #include "program/run/live/run_live_view.h"
 #include "program/run/live_run.h"
+#include "program/run/missing_interface.h"
 #include "program/run/simulation.h"
 #include "program/run/venue.h"
 #include "program/safe_output.h"
@@ -205,6 +207,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
       if (continues) edits.add_missed(engine->scripts());
       if (!why_not.empty()) spdlog::warn("{}: state not used: {}", state.string(), why_not);
       if (!engine) engine = std::make_unique<FrameLoop>(std::move(setup));
+      warn_of_missing_values(options.scripts, engine->scripts(), files_of(*engine), engine->application());
     } catch (const std::exception& error) {
       // A model of another wall, or a script with a new error. Other clients may connect, and the script may be fixed.
       const bool is_models = dynamic_cast<const UnfitModel*>(&error) != nullptr;

@@ -13,11 +13,13 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/parameters/counted.h"
+#include "program/former_names.h"
 #include "program/interruption.h"
 #include "program/output_mailbox.h"
 #include "program/run/console/history_file.h"
 #include "program/run/live/run_live_view.h"
 #include "program/run/live_run.h"
+#include "program/run/missing_interface.h"
 #include "program/run/nao/nao_hardware.h"
 #include "program/run/places.h"
 #include "program/run/simulation.h"
@@ -107,6 +109,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
   setup.model = as_mounted(model, mounting);
   const std::size_t behaviors = setup.behaviors.size();
   FrameLoop engine(std::move(setup));
+  warn_of_missing_values(options.scripts, engine.scripts(), files_of(engine), engine.application());
   // Before this point, nothing can be lost, so a signal ends the program at once, also while scripts load.
   const Interruption interruption;
 

@@ -214,6 +214,26 @@ TEST(ViewerTopics, HaveEachNameOnceAndASchema) {
   }
 }
 
+TEST(ViewerTopics, DescribeTheValuesOfTheApplication) {
+  ApplicationInterface declared;
+  DeclaredField number, pose;
+  number.unit = "m";
+  number.initial.numbers = {0.0};
+  pose.type = FieldType::pose;
+  pose.initial.numbers = {0.0, 0.0, 0.0};
+  declared.values = {{"ball.distance", "how far", {number}}, {"goal", "where", {pose}}};
+  declared.actions = {{"kick", "kicks", {}}};
+  const Json tables = Json::parse(schema_text("reorient.World", declared)).at("properties");
+  const Json input = tables.at("input").at("properties");
+  EXPECT_EQ(input.at("ball").at("properties").at("distance"),
+            (Json{{"type", "number"}, {"description", "how far (m)"}}));
+  EXPECT_EQ(input.at("goal").at("properties").at("rotation").at("type"), "number");
+  EXPECT_EQ(input.at("valid").at("properties").at("goal").at("type"), "boolean");
+  EXPECT_EQ(tables.at("action").at("properties").at("kick").at("properties").at("state").at("type"), "string");
+  declared.values[0].description = "\xff";
+  EXPECT_NO_THROW(Json::parse(schema_text("reorient.World", declared)));
+}
+
 TEST(Base64, FollowsTheStandard) {
   const std::pair<std::string, std::string> kVectors[] = {{"", ""},
                                                           {"f", "Zg=="},

@@ -8,6 +8,7 @@
 
 #include "engine/script/script_texts.h"
 #include "tests/temporary_folder.h"
+#include "workbench/script_tools/check/missing_values.h"
 #include "workbench/script_tools/check/script_check.h"
 
 namespace reorient {
@@ -452,6 +453,40 @@ end))");
   EXPECT_EQ(findings(),
             "tests/b_test.lua:4:25: error: input.drone has no field 'hight' (did you mean 'height'?)\n"
             "tests/b_test.lua:6:18: error: argument 1 of expect.started: unknown value 'fli' (did you mean 'fly'?)\n");
+}
+
+TEST_F(ApplicationCheckTest, WarnsOfAScenarioWithoutTheInterfaceOfItsBehavior) {
+  folder.write("behaviors/b.lua",
+               R"(behavior "b" { update = function() action.fly { speed = input.drone.height } end })");
+  folder.write("scenarios/s.lua", R"(
+scenario "s" { behaviors = { "b" } })");
+  folder.write("scenarios/t.lua", R"(scenario "t" { behaviors = { "b" }, interface = "team" })");
+  EXPECT_EQ(findings(),
+            "scenarios/s.lua:2:10: warning: in behaviors/b.lua, action.fly and 1 more are missing; the interface "
+            "'team' has them: interface = \"team\"\n");
+}
+
+TEST(MissingValues, AreThoseThatOnlyAnotherInterfaceDeclares) {
+  ApplicationInterface team;
+  team.name = "team";
+  team.values = {{"drone.height", "", {}}, {"drone.mode", "", {}}, {"others", "", {}}};
+  team.actions = {{"fly", "", {}}};
+  const std::vector<ApplicationInterface> known{team};
+  const auto names = [&](const std::string& text, const ApplicationInterface& declared = {}) {
+    std::string list;
+    for (const MissingValue& one : missing_values(text, declared, known)) list += one.name + " ";
+    return list;
+  };
+  EXPECT_EQ(names("if input.valid.drone.mode and input.drone.height > 1 then action.fly() end"),
+            "input.drone.mode input.drone.height action.fly ");
+  EXPECT_EQ(names("local d = input.drone print(input.others[1].name)"), "input.drone.height input.others ");
+  EXPECT_EQ(names("input.drone.height", team), "");
+  EXPECT_EQ(names("input.unknown.x action.unknown() -- input.drone.height"), "");
+  EXPECT_EQ(names("my.input.drone.height(\"input.drone.mode\")"), "");
+  for (const char* const odd : {"input", "input.", "input.age", "input.age.", "action.", "input..x", ""})
+    EXPECT_EQ(names(odd), "") << odd;
+  EXPECT_EQ(to_text(missing_values("input.drone.mode", {}, known)),
+            "input.drone.mode is missing; the interface 'team' has it");
 }
 
 }  // namespace

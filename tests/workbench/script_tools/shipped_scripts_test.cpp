@@ -14,9 +14,11 @@
 #include "engine/script/behaviors.h"
 #include "engine/script/script_host.h"
 #include "tests/paths.h"
+#include "workbench/files/interface_file.h"
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/reference/behavior_page.h"
+#include "workbench/script_tools/reference/interface_reference.h"
 #include "workbench/script_tools/reference/script_reference.h"
 
 namespace reorient {
@@ -49,6 +51,45 @@ TEST(GeneratedFiles, TheReferenceMatchesTheBindingsAndTheLibraries) {
 
 TEST(GeneratedFiles, TheEditorAnnotationsMatchTheBindingsAndTheLibraries) {
   expect_committed(kScripts / "annotations" / "reorient.lua", script_annotations(shipped_libraries()));
+}
+
+TEST(GeneratedFiles, EachShippedInterfaceHasAPageAndEditorAnnotations) {
+  const std::filesystem::path folder = std::filesystem::path(kSourceFolder) / "assets" / "interfaces";
+  int interfaces = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    const ApplicationInterface declared = load_interface(entry.path());
+    expect_committed(folder / (declared.name + ".md"), interface_reference(declared));
+    expect_committed(kScripts / "annotations" / (declared.name + ".lua"), interface_annotations(declared));
+    ++interfaces;
+  }
+  EXPECT_GE(interfaces, 1);
+}
+
+TEST(EditorAnnotations, OfAnInterfaceHaveTheTypesOfItsDeclarations) {
+  const std::string text = read(kScripts / "annotations" / "ball.lua");
+  for (const char* const line :
+       {"---@class reorient.Input\n---@field ball reorient.Input.ball\n",
+        "---@field distance number m, 0 to 20: distance of the ball along the ground\n",
+        "---@field position { x: number, y: number } ", "---@field teammates reorient.record.teammates[] ",
+        "---@field foot \"left\"|\"right\" foot that kicks\n",
+        "---@field direction? number rad, -1 to 1: ", "---@field kick reorient.Action.kick kicks the ball\n",
+        "---@class reorient.Action.kick: reorient.Action\n---@operator call(reorient.arguments.kick): nil\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
+TEST(InterfacePage, HasNoCellThatEndsItsTable) {
+  ApplicationInterface odd;
+  odd.name = "odd";
+  DeclaredField field;
+  field.type = FieldType::text;
+  field.description = "a | b\nc";
+  field.choices = {"x|y"};
+  field.initial.texts = {"x|y"};
+  odd.values = {{"v", "a | b\nc", {field}}};
+  EXPECT_NE(interface_reference(odd).find("| `input.v` | text |  | `x\\|y` | \"x\\|y\" | a \\| b c |"),
+            std::string::npos)
+      << interface_reference(odd);
 }
 
 TEST(GeneratedFiles, TheLuacheckConfigurationMatchesTheBindings) {

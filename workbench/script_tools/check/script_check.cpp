@@ -18,6 +18,7 @@
 #include "workbench/files/script_files.h"
 #include "workbench/scenario/scenario_language.h"
 #include "workbench/script_tools/check/machine_warnings.h"
+#include "workbench/script_tools/check/missing_values.h"
 #include "workbench/script_tools/check/symbol_table.h"
 #include "workbench/script_tools/check/text_check.h"
 
@@ -163,10 +164,29 @@ class ScriptCheck {
     BehaviorLanguage behavior_language(application_);
     ScriptHost behaviors(texts_, behavior_language, core_parameters_);
     for (const MachineDefinition* machine : host.definitions()) {
-      for (const std::string& behavior : machine->behaviors)
-        load(behaviors, script_file(behavior_language.folder(), behavior));
+      for (const std::string& behavior : machine->behaviors) {
+        const std::string file = script_file(behavior_language.folder(), behavior);
+        load(behaviors, file);
+        check_interface(*machine, file);
+      }
     }
     take_in(behaviors);
+  }
+
+  /// Warns of a scenario whose interface lacks what its behavior uses. `--interface` may set another one.
+  void check_interface(const MachineDefinition& scenario, const std::string& behavior) {
+    const ScriptText* const script = texts_.find(behavior);
+    if (script == nullptr) return;
+    const std::string name = std::filesystem::path(scenario.setting.interface).stem().string();
+    const std::vector<ApplicationInterface>& known = declared_.interfaces;
+    const auto own = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
+    if (!name.empty() && own == known.end()) return;  // the run reports it
+    const std::vector<MissingValue> missing =
+        missing_values(script->text, own == known.end() ? ApplicationInterface() : *own, known);
+    if (missing.empty()) return;
+    result_.findings.push_back(
+        {Severity::warning, scenario.file, scenario.position,
+         "in " + behavior + ", " + to_text(missing) + ": interface = \"" + missing.front().interfaces.front() + "\""});
   }
 
   void take_in(const ScriptHost& host) {

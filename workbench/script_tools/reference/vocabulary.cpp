@@ -93,8 +93,9 @@ constexpr ScriptWord kLanguage[] = {
      "The values of the application, read-only: `input.NAME` has always a value of its type, `input.age.NAME` is the "
      "time since it was set (s; infinite if never), `input.valid.NAME` tells whether it is not too old and fits its "
      "declaration. An interface declares them (docs/applications.md).",
-     "---@class reorient.Input: table<string, any>\n---@field age table<string, any>\n---@field valid table<string, "
-     "any>"
+     "---@class reorient.InputAge: table<string, any>\n\n---@class reorient.InputValid: table<string, any>\n\n"
+     "---@class reorient.Input: table<string, any>\n---@field age reorient.InputAge\n---@field valid "
+     "reorient.InputValid"
      "\n\n---@type reorient.Input\ninput = {}"},
     {"action", "action.kick { foot = \"left\", direction = 0.3 }",
      "The actions of the application. `action.NAME { ... }` requests one in `enter`, `update` or `exit`; repeated with "
@@ -102,8 +103,9 @@ constexpr ScriptWord kLanguage[] = {
      "`.reason` tells why it failed, and `.time_in_state` for how long (s).",
      "---@class reorient.Action\n---@field state \"idle\"|\"requested\"|\"running\"|\"done\"|\"failed\"\n---@field "
      "reason "
-     "string\n---@field time_in_state number s\n---@operator call(table): nil\n\n---@type table<string, "
-     "reorient.Action>\naction = {}"},
+     "string\n---@field time_in_state number s\n---@operator call(table): nil\n\n---@class reorient.Actions: "
+     "table<string, "
+     "reorient.Action>\n\n---@type reorient.Actions\naction = {}"},
     {"print(...: any)",
      "print(\"flips\", memory.flips)",
      "Writes a line to the run's log; in a test, a line below its result.",

@@ -157,6 +157,8 @@ ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
 }
 
 void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
+  if (std::exchange(engine_, &engine) != &engine || engine.record().world.frame == 0)
+    viewers_.set_application(engine.application());
   is_kept_ = tasks_.subject().what_if && viewers_.any();
   if (is_kept_) tasks_.subject().what_if->memory().before(inputs, engine);
   wanted_ = tasks_.wanted();

@@ -92,8 +92,9 @@ class LiveView : public InputSource, public Observer {
   std::unique_ptr<live::FrameCopy> copy_;  // of the coming frame; nullptr: nothing is copied
   Topics wanted_;
   std::uint64_t frames_ = 0;
-  bool is_kept_ = false;  // the coming frame, for what-if
-  bool begins_ = false;   // a viewer needs the lasting messages
+  bool is_kept_ = false;               // the coming frame, for what-if
+  bool begins_ = false;                // a viewer needs the lasting messages
+  const FrameLoop* engine_ = nullptr;  // whose application the viewers know
   std::vector<live::FrameAnswer> answers_;
 
   live::Viewers viewers_;

@@ -18,7 +18,7 @@ constexpr const char* kTooMany = "too many requests at once; wait for the answer
 Session::Session(const SessionParts& parts, std::shared_ptr<ViewerMailbox> mailbox, Access access)
     : parts_(parts), mailbox_(std::move(mailbox)), access_(std::move(access)), viewer_(0) {
   mailbox_->add_control(server_info(parts_.info));
-  mailbox_->add_control(advertise_topics());
+  mailbox_->add_control(advertise_topics(parts_.viewers.application()));
   mailbox_->add_control(advertise_live_services());
   if (!access_.changes) mailbox_->add_control(status(StatusLevel::info, access_.why_not, "access"));
   viewer_ = parts_.viewers.add(mailbox_);

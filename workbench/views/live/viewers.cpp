@@ -37,6 +37,16 @@ bool is_rare(std::size_t topic) {
 
 }  // namespace
 
+void Viewers::set_application(const ApplicationInterface& application) {
+  const std::lock_guard lock(mutex_);
+  application_ = application;
+}
+
+ApplicationInterface Viewers::application() const {
+  const std::lock_guard lock(mutex_);
+  return application_;
+}
+
 ViewerId Viewers::add(Mailbox mailbox) {
   const std::lock_guard lock(mutex_);
   viewers_[next_].mailbox = std::move(mailbox);

@@ -26,6 +26,9 @@ class Viewers {
   using Mailbox = std::shared_ptr<ViewerMailbox>;
 
   ViewerId add(Mailbox mailbox);
+  /// Of the run. Viewers that connect from now on learn the types of its values.
+  void set_application(const ApplicationInterface& application);
+  ApplicationInterface application() const;
   void remove(ViewerId id);
 
   /// Both return one line if the viewer made a mistake; else an empty text. A new subscriber of a lasting topic
@@ -81,6 +84,7 @@ class Viewers {
   std::map<ViewerId, Viewer> viewers_;
   std::array<Last, kViewerTopicCount> last_;
   std::map<std::string, ParameterValue> values_;  // as last sent
+  ApplicationInterface application_;
   ViewerId next_ = 1;
   Counts gone_;
   std::atomic<unsigned long> subscribed_ = 0;

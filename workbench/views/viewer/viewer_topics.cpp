@@ -3,9 +3,11 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "engine/record/frame_record.h"
 #include "engine/script/language/world_fields.h"
+#include "workbench/run/application_values.h"
 #include "workbench/views/viewer/foxglove.h"
 
 namespace reorient {
@@ -20,8 +22,26 @@ Json schema_of(const WorldField& field) {
   return schema;
 }
 
+/// "input.ball.x" as the property x of the property ball of the table input.
+void add_application(const ApplicationInterface& application, Json& tables) {
+  for (const NamedScalar& scalar : application_values(application)) {
+    constexpr const char* kTypes[] = {"number", "boolean", "string"};  // of the alternatives of NamedScalar::value
+    Json* properties = &tables;
+    std::size_t begin = 0;
+    for (std::size_t dot = scalar.name.find('.'); dot != std::string::npos; dot = scalar.name.find('.', begin)) {
+      Json& object = (*properties)[scalar.name.substr(begin, dot - begin)];
+      object["type"] = "object";
+      properties = &object["properties"];
+      begin = dot + 1;
+    }
+    (*properties)[scalar.name.substr(begin)] = {
+        {"type", kTypes[scalar.value.index()]},
+        {"description", scalar.description + (scalar.unit.empty() ? "" : " (" + scalar.unit + ")")}};
+  }
+}
+
 /// Messages omit numbers that are not finite, such as "never", so no field is required.
-Json world_schema() {
+Json world_schema(const ApplicationInterface& application) {
   Json tables = Json::object();
   for (const WorldField& field : world_fields()) {
     Json& table = tables[std::string(field.table)];
@@ -34,6 +54,7 @@ Json world_schema() {
   }
   tables["input"] = {{"type", "object"}, {"description", "values of the application; only if it declares some"}};
   tables["action"] = {{"type", "object"}, {"description", "state of the application's actions"}};
+  add_application(application, tables);
   return {{"type", "object"}, {"properties", std::move(tables)}, {"title", "reorient.World"}};
 }
 
@@ -50,10 +71,13 @@ Json costs_schema() {
 
 }  // namespace
 
-std::string schema_text(std::string_view schema) {
-  if (schema == "reorient.World") return world_schema().dump();
+std::string schema_text(std::string_view schema, const ApplicationInterface& application) {
+  // Descriptions of an application may contain any bytes.
+  if (schema == "reorient.World") return world_schema(application).dump(-1, ' ', false, Json::error_handler_t::replace);
   if (schema == "reorient.Costs") return costs_schema().dump();
   return foxglove::schema(schema).dump();
 }
+
+std::string schema_text(std::string_view schema) { return schema_text(schema, {}); }
 
 }  // namespace reorient

@@ -12,6 +12,8 @@
 
 namespace reorient {
 
+struct ApplicationInterface;
+
 enum class ViewerTopic {
   transforms,
   pose,
@@ -104,6 +106,9 @@ inline constexpr std::uint64_t kConditionsEvery = 6;
 constexpr const ViewerTopicInfo& info(ViewerTopic topic) { return kViewerTopics[static_cast<std::size_t>(topic)]; }
 
 /// The format of the messages of a schema as JSON Schema text. Throws std::out_of_range for an unknown schema.
+/// `application`: its values and actions are in the schema of the world.
+std::string schema_text(std::string_view schema, const ApplicationInterface& application);
+/// The same without an application.
 std::string schema_text(std::string_view schema);
 
 }  // namespace reorient

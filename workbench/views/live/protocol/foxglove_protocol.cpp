@@ -23,12 +23,12 @@ Json time_json(std::uint64_t nanoseconds) {
   return {{"sec", nanoseconds / kSecond}, {"nsec", nanoseconds % kSecond}};
 }
 
-Json channel_json(const ViewerTopicInfo& topic) {
+Json channel_json(const ViewerTopicInfo& topic, const ApplicationInterface& application) {
   return {{"id", channel_of(static_cast<std::size_t>(topic.topic))},
           {"topic", topic.name},
           {"encoding", "json"},
           {"schemaName", topic.schema},
-          {"schema", schema_text(topic.schema)},
+          {"schema", schema_text(topic.schema, application)},
           {"schemaEncoding", "jsonschema"}};
 }
 
@@ -117,9 +117,9 @@ std::string remove_status(std::string_view id) {
   return text_of({{"op", "removeStatus"}, {"statusIds", Json::array({id})}});
 }
 
-std::string advertise_topics() {
+std::string advertise_topics(const ApplicationInterface& application) {
   Json channels = Json::array();
-  for (const ViewerTopicInfo& topic : kViewerTopics) channels.push_back(channel_json(topic));
+  for (const ViewerTopicInfo& topic : kViewerTopics) channels.push_back(channel_json(topic, application));
   return text_of({{"op", "advertise"}, {"channels", std::move(channels)}});
 }
 

@@ -109,8 +109,8 @@ enum class StatusLevel { info, warning, error };
 std::string status(StatusLevel level, std::string_view message, std::string_view id = {});
 std::string remove_status(std::string_view id);
 
-/// All topics of viewer_topics.h, as channels with JSON messages.
-std::string advertise_topics();
+/// All topics of viewer_topics.h, as channels with JSON messages. `application`: of the run.
+std::string advertise_topics(const ApplicationInterface& application = {});
 /// The channel of the topic with this index, and back. Channel 0 does not exist.
 constexpr std::uint32_t channel_of(std::size_t topic) { return static_cast<std::uint32_t>(topic) + 1; }
 std::optional<std::size_t> topic_of(std::uint32_t channel);
