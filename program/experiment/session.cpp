@@ -71,8 +71,8 @@ void choose_requested(const SessionOptions& options, Experiment& experiment) {
   for (const auto& [axis, names] : chosen) choose(experiment, axis, names, choice_from_file);
 }
 
-/// The experiment with the changes of the command line.
-Experiment wanted_experiment(const SessionOptions& options) {
+/// The experiment with the choices of the command line.
+Experiment chosen_experiment(const SessionOptions& options) {
   std::optional<std::filesystem::path> file = found_file("experiments", options.experiment);
   if (!file) file = named_file("experiment", present_name(options.experiment));
   Experiment experiment = read_experiment(*file, named_condition);
@@ -94,6 +94,14 @@ Experiment wanted_experiment(const SessionOptions& options) {
   }
   std::erase_if(experiment.axes, [](const Axis& one) { return one.name == "room"; });
   experiment.axes.insert(experiment.axes.begin(), std::move(axis));
+  return experiment;
+}
+
+/// The experiment with the changes of the command line.
+Experiment wanted_experiment(const SessionOptions& options) {
+  Experiment experiment = chosen_experiment(options);
+  experiment.overrides.width = options.width;
+  experiment.overrides.parameters = overrides_of(options.parameters);
   return experiment;
 }
 
@@ -123,6 +131,25 @@ std::vector<ParameterChange> parameters_of(const Axis& axis) {
   for (const AxisChoice& choice : axis.choices) append_parameters(choice.patch, changes);
   rename_parameters(changes);
   return changes;
+}
+
+/// A behavior that only some of the cells load may be measured, too; then it does nothing in the others.
+void require_known_names(const std::vector<Measure>& measures, const LoadedFiles& loaded) {
+  const auto refuse = [](const Measure& measure, const std::string& mistake) {
+    throw std::runtime_error(
+        as_line(measure.said_at + ": measure." + std::string(to_string(measure.type)) + ": " + mistake));
+  };
+  for (const Measure& measure : measures) {
+    if (const std::string mistake = mistake_in_states(measure, loaded.states); !mistake.empty())
+      refuse(measure, mistake);
+    constexpr std::string_view kAction = "action.";
+    const bool is_command = measure.type == MeasureType::granted || measure.type == MeasureType::refused;
+    if (!is_command || !measure.name.starts_with(kAction)) continue;
+    const std::string action = measure.name.substr(kAction.size());
+    if (!loaded.actions.contains(action))
+      refuse(measure, "unknown action '" + action + "'" +
+                          did_you_mean(action, std::vector<std::string>(loaded.actions.begin(), loaded.actions.end())));
+  }
 }
 
 /// Otherwise the results would have the names of values that no trial had.
@@ -170,12 +197,7 @@ Session::Session(const SessionOptions& options)
       tasks_(tasks_of(experiment_, options.seed)),
       folder_(options.out.empty() ? usual_folder(options, experiment_.name) : options.out),
       results_(folder_ / "tasks") {
-  const std::vector<ParameterChange> overrides = overrides_of(options.parameters);
-  require_no_axis_sets(experiment_, overrides);
-  for (Cell& cell : cells_) {
-    if (options.width) cell.condition.width = *options.width;
-    cell.condition.parameters.insert(cell.condition.parameters.end(), overrides.begin(), overrides.end());
-  }
+  require_no_axis_sets(experiment_, experiment_.overrides.parameters);
   check_axis_names(experiment_);
   prepare_conditions();
 }
@@ -200,7 +222,7 @@ std::size_t Session::turn_of(const Task& task) const {
 /// Checks all conditions at the start, because an error hours later would cost time. Stores the origin of each.
 void Session::prepare_conditions() {
   FileHashes files;
-  std::set<std::string> used;
+  LoadedFiles used;  // by all trials
   origins_.resize(cells_.size());
   const auto digest = [](std::uint64_t hash) { return fmt::format("{:016x}", hash); };
   for (const Task& task : tasks_) {
@@ -208,7 +230,9 @@ void Session::prepare_conditions() {
     if (turn_of(task) < origins.size()) continue;  // the same as an earlier one
     Condition condition = condition_of(task);
     LoadedFiles loaded = check_trial(condition, task.seed, scripts_);
-    used.merge(loaded.parameters);
+    used.parameters.merge(loaded.parameters);
+    used.states.merge(loaded.states);
+    used.actions.merge(loaded.actions);
     Origin& origin = origins.emplace_back();
     origin["program"] = REORIENT_VERSION;
     for (const auto& [script, hash] : loaded.scripts) origin["script " + script] = digest(hash);
@@ -228,7 +252,8 @@ void Session::prepare_conditions() {
     origin["file of the field"] = digest(files.of(loaded.venue.field));
     if (!loaded.venue.room.empty()) origin["file of the room"] = digest(files.of(loaded.venue.room));
   }
-  require_used_parameters(used);
+  require_used_parameters(used.parameters);
+  require_known_names(experiment_.measures, used);
 }
 
 /// A parameter that no trial has would compare equal trials. Condition files are for several experiments, and may set

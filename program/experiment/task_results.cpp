@@ -87,6 +87,8 @@ ordered_json to_json(const TrialResult& result) {
     json["looks"].push_back(std::move(values));
   }
   json["pose_errors"] = result.pose_errors ? to_json(*result.pose_errors) : ordered_json();
+  json["measures"] = ordered_json::array();
+  for (const std::optional<double>& value : result.measures) json["measures"].push_back(as_json(value));
   return json;
 }
 
@@ -100,6 +102,9 @@ TrialResult result_from(const ordered_json& json) {
   for (const ordered_json& values : json.at("looks")) {
     std::size_t i = 0;
     visit_scores([&](double& score) { read_value(values.at(i++), score); }, result.looks.emplace_back());
+  }
+  if (json.contains("measures")) {  // results of earlier programs have none
+    for (const ordered_json& value : json.at("measures")) read_value(value, result.measures.emplace_back());
   }
   if (const ordered_json& errors = json.at("pose_errors"); !errors.is_null()) result.pose_errors = errors_from(errors);
   return result;

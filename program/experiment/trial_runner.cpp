@@ -126,11 +126,14 @@ TrialResult run_trial(const Condition& condition, std::uint64_t seed, const std:
   }
   PoseErrorObserver pose_errors(observer);
   if (condition.pose_errors) parts.observers.push_back(&pose_errors);
+  MeasureObserver measures(condition.measures, observer);
+  if (!condition.measures.empty()) parts.observers.push_back(&measures);
   parts.stop = [&observer] { return observer.is_over(); };
   RunLoop(std::move(parts)).run();
   TrialResult result = observer.result();
   if (condition.pose_errors) result.pose_errors = pose_errors.errors();
   if (compasses) result.looks = compasses->looks();
+  result.measures = measures.values();
   result.seed = seed;
   return result;
 }

@@ -107,11 +107,20 @@ LoadedFiles Simulation::check(const SimulationOptions& options,
                               const std::function<void(const ScenarioHost& scenario)>& more) {
   const Simulation simulation(options, nullptr, false);
   if (more) more(*simulation.scenario_);
-  LoadedFiles loaded{simulation.venue_, {}, {}};
+  LoadedFiles loaded{simulation.venue_, {}, {}, {}, {}};
   const ScriptTexts texts = read_scripts(options.scripts);
   for (const std::string& file : with_required(texts, simulation.files_))
     loaded.scripts[file] = content_hash(texts.find(file)->text);
   for (const Parameter& parameter : simulation.parameters()) loaded.parameters.insert(parameter.name);
+  for (const std::vector<const MachineDefinition*>& machines :
+       {simulation.engine_->machines(), simulation.scenario_->machines()}) {
+    for (const MachineDefinition* const machine : machines) {
+      for (const StateDefinition& state : machine->states) {
+        if (!state.path.empty()) loaded.states.insert(machine->name + "/" + state.path);
+      }
+    }
+  }
+  for (const DeclaredAction& action : simulation.engine_->application().actions) loaded.actions.insert(action.name);
   return loaded;
 }
 

@@ -27,6 +27,8 @@ struct LoadedFiles {
   Venue venue;
   std::map<std::string, std::uint64_t> scripts;  ///< digests of the loaded scripts, by their names
   std::set<std::string> parameters;              ///< names of the parameters of these scripts and of the robot
+  std::set<std::string> states;                  ///< of all machines, as "orientation/correcting"
+  std::set<std::string> actions;                 ///< of the application
 };
 
 class Simulation {

@@ -16,6 +16,7 @@
 #include "tests/paths.h"
 #include "tests/program/child_program.h"
 #include "tests/program/short_experiment.h"
+#include "workbench/files/input_file.h"
 
 namespace reorient {
 namespace {
@@ -121,6 +122,32 @@ TEST_F(ExperimentTest, RefusesAnAxisWithoutEffect) {
   folder.write("short.toml", kShort + axis);
   const ProgramRun plan = run({"--out", path("out"), "--plan"});
   EXPECT_EQ(plan.code, kSuccess) << plan.err;
+}
+
+TEST_F(ExperimentTest, MeasuresWhatTheFileNames) {
+  folder.write("short.toml", kShort +
+                                 "[measure]\nmean = [\"robot.head_yaw\"]\nmaximum = [\"robot.head_yaw\"]\n"
+                                 "entered = [\"head_scan/walls to the left\"]\n");
+  const ProgramRun printed = run({"--out", path("out"), "--json", path("rows.json")});
+  EXPECT_EQ(printed.code, kSuccess) << printed.err;
+  EXPECT_NE(printed.out.find("maximum robot.head_yaw"), std::string::npos) << printed.out;
+  const std::string rows = read_input(path("rows.json"), "rows");
+  EXPECT_NE(rows.find("\"measures\": {\"entered head_scan/walls to the left\":{\"unit\":\"\",\"trials\":"),
+            std::string::npos)
+      << rows;
+  EXPECT_NE(rows.find("\"mean robot.head_yaw\":{\"unit\":\"rad\",\"trials\":"), std::string::npos) << rows;
+}
+
+TEST_F(ExperimentTest, RefusesMeasuresOfUnknownStatesAndActions) {
+  const auto expect_mistake = [&](const std::string& measure, const std::string& mistake) {
+    folder.write("short.toml", kShort + "[measure]\n" + measure + "\n");
+    expect_refused({"--out", path("out")}, mistake);
+  };
+  expect_mistake("entered = [\"head_scan/walls to the lef\"]",
+                 "measure.entered: unknown state 'head_scan/walls to the lef' (did you mean 'head_scan/walls to the "
+                 "left'?)");
+  expect_mistake("transitions = [\"other/a > b\"]", "measure.transitions: unknown state 'other/a'");
+  expect_mistake("granted = [\"action.kick\"]", "measure.granted: unknown action 'kick'");
 }
 
 TEST_F(ExperimentTest, DoesNotSetAParameterThatAnAxisSets) {

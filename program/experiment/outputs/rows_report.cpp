@@ -12,6 +12,7 @@
 
 #include "engine/parameters/utf8.h"
 #include "program/experiment/outputs/compass_table.h"
+#include "program/experiment/outputs/measure_table.h"
 #include "program/experiment/outputs/pose_table.h"
 #include "program/experiment/outputs/text_table.h"
 #include "workbench/experiments/tables/compass_rows.h"
@@ -124,6 +125,7 @@ void print_rows(const Experiment& experiment, const std::vector<CellResults>& ce
   } else {
     print_trials(experiment, cells, out);
   }
+  print_measures(experiment, cells, out);
   for (const CellResults& cell : cells) {
     if (const std::string note = not_started_note(cell); !note.empty()) out << '\n' << as_line(note) << '\n';
   }
@@ -134,7 +136,9 @@ void check_axis_names(const Experiment& experiment) {
   const std::vector<Cell> cells = reorient::cells_of(experiment);
   if (std::any_of(cells.begin(), cells.end(), [](const Cell& one) { return one.condition.compasses; }))
     cell.trials.emplace_back().looks.emplace_back();
-  const auto numbers = ordered_json::parse(rows_as_json({}, {cell})).at(0);
+  Experiment without_axes;
+  without_axes.measures = experiment.measures;
+  const auto numbers = ordered_json::parse(rows_as_json(without_axes, {cell})).at(0);
   for (const Axis& axis : experiment.axes) {
     if (numbers.contains(as_utf8(axis.name)))
       throw std::runtime_error("axis: expected a name that is not a column of the results, found '" +
@@ -190,6 +194,7 @@ std::string rows_as_json(const Experiment& experiment, const std::vector<CellRes
     json["calibration_samples"] = row.calibration_samples;
     json["calibration_error"] = or_null(row.calibration_error);
     add_pose_errors(row.pose, json);
+    add_measures(experiment.measures, row.measures, json);
     json["outcomes"] = ordered_json::array();
     for (const TrialResult& trial : cell.trials) json["outcomes"].push_back(outcome_as_json(outcome_of(trial)));
     text.append(text.empty() ? "[\n" : ",\n").append(on_lines(json));

@@ -62,6 +62,8 @@ std::string trials_as_json(const Experiment& experiment, const std::vector<CellR
       for (std::size_t i = 0; i < experiment.axes.size(); ++i)
         json["choices"][as_utf8(experiment.axes[i].name)] = as_utf8(cell.choices[i]);
       visit_columns([&json](const char* name, const auto& value) { json[name] = value_or_null(value); }, trial);
+      for (std::size_t i = 0; i < experiment.measures.size() && i < trial.measures.size(); ++i)
+        json["measures"][as_utf8(experiment.measures[i].label())] = value_or_null(trial.measures[i]);
       json["confidences"] = confidences_as_json(trial.confidences);
       if (!trial.looks.empty()) json["looks"] = looks_as_json(trial.looks);
       text.append(text.empty() ? "[\n" : ",\n").append(json.dump());

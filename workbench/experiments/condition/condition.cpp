@@ -24,7 +24,7 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
 
 void add_cells(const Experiment& experiment, const Cell& so_far, std::vector<Cell>& cells) {
   if (so_far.choices.size() == experiment.axes.size()) {
-    cells.push_back(so_far);
+    apply(experiment.overrides, cells.emplace_back(so_far).condition);
     return;
   }
   for (const AxisChoice& choice : experiment.axes[so_far.choices.size()].choices) {
@@ -90,6 +90,8 @@ std::string as_text(const Condition& condition) {
   add("hold", number(condition.measurement.hold));
   add("to_the_end", condition.measurement.to_the_end ? "true" : "false");
   add("symmetric_room", condition.measurement.symmetric_room ? "true" : "false");
+  for (const Measure& measure : condition.measures)
+    add(std::string("measure.").append(to_string(measure.type)), measure.name);
   return text;
 }
 
@@ -137,6 +139,7 @@ std::vector<Cell> cells_of(const Experiment& experiment) {
   }
   Cell first;
   apply(taken.base, first.condition);
+  first.condition.measures = taken.measures;
   std::vector<Cell> cells;
   add_cells(taken, first, cells);
   return cells;

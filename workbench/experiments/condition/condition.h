@@ -11,6 +11,7 @@
 
 #include "engine/parameters/parameter.h"
 #include "workbench/experiments/condition/reference.h"
+#include "workbench/experiments/trial/measure.h"
 #include "workbench/experiments/trial/trial_observer.h"
 
 namespace reorient {
@@ -36,7 +37,8 @@ struct Condition {
   bool compasses = false;       ///< whether room awareness and its peers are compared (trial/compass_observer.h)
   bool pose_errors = false;     ///< whether the belief of each frame is compared with the truth
   Measurement measurement;
-  SaidAt said_at;  ///< for messages
+  std::vector<Measure> measures;  ///< of the experiment
+  SaidAt said_at;                 ///< for messages
 };
 
 /// The whole condition, a line for each value in a fixed order: equal conditions have equal texts.
@@ -74,11 +76,13 @@ void apply(const ConditionPatch& patch, Condition& condition);
 struct AxisChoice {
   std::string name;
   ConditionPatch patch;
+  std::string description{};  ///< one sentence for the report, or empty
 };
 struct Axis {
   std::string name;
   std::vector<AxisChoice> choices;
   std::vector<std::string> usual{};  ///< choices used if no others are requested; empty: all
+  std::string description{};         ///< one sentence for the report, or empty
 };
 
 /// The time that the columns mean_s, median_s and p90_s contain.
@@ -97,6 +101,8 @@ struct Experiment {
   ConditionPatch base;
   std::vector<ConditionPatch> alternates;  ///< the trials of each cell use these in turn
   std::vector<Axis> axes;
+  std::vector<Measure> measures;
+  ConditionPatch overrides{};  ///< from the command line; applied last
   std::vector<Reference> references;
 };
 

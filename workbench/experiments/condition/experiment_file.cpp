@@ -50,6 +50,7 @@ class ExperimentReader {
            for (const toml::node& one : in.tables(key, value))
              experiment.alternates.push_back(read_patch(*one.as_table(), {}));
          }},
+        {"measure", [&](auto& key, auto& value) { read_measures(in.table(key, value), experiment.measures); }},
         {"axis", [&](auto& key, auto& value) { read_axes(in, in.tables(key, value), experiment.axes); }},
         {"reference",
          [&](auto& key, auto& value) { experiment.references = read_references(in, in.tables(key, value), file_); }},
@@ -104,6 +105,33 @@ class ExperimentReader {
               [&place](const auto& a, const auto& b) { return place(a.first) < place(b.first); });
   }
 
+  /// In the order of the types, and of the lists: a TOML table does not store the order of its keys.
+  void read_measures(const toml::table& table, std::vector<Measure>& measures) const {
+    const TableReader in(table, file_);
+    TableReader::Readers readers;
+    std::map<MeasureType, std::vector<Measure>> by_type;
+    for (int i = 0; i < enum_count(MeasureType()); ++i) {
+      const auto type = static_cast<MeasureType>(i);
+      readers[std::string(to_string(type))] = [&, type](auto& key, auto& value) {
+        const std::vector<std::string> names = in.texts(key, value);
+        for (std::size_t at = 0; at < names.size(); ++at) {
+          const toml::node& node = (*value.as_array())[at];
+          const Measure measure{type, names[at], place_of(node)};
+          if (const std::string mistake = mistake_in(measure); !mistake.empty())
+            in.refuse(node, "measure." + key + ": " + mistake);
+          std::vector<Measure>& list = by_type[type];
+          const auto is_same = [&](const Measure& other) { return other.name == measure.name; };
+          if (std::none_of(list.begin(), list.end(), is_same)) list.push_back(measure);
+        }
+      };
+    }
+    in.read(readers);
+    for (const auto& [type, list] : by_type) measures.insert(measures.end(), list.begin(), list.end());
+    if (measures.size() > kMostMeasures)
+      in.refuse(table, "measure: expected at most " + std::to_string(kMostMeasures) + " names, found " +
+                           std::to_string(measures.size()));
+  }
+
   void read_axes(const TableReader& in, const toml::array& tables, std::vector<Axis>& axes) const {
     if (tables.size() > kMostAxes)
       in.refuse(tables,
@@ -113,6 +141,7 @@ class ExperimentReader {
       const TableReader table(*one.as_table(), file_);
       table.read({
           {"name", [&](auto& key, auto& value) { axis.name = table.text(key, value); }},
+          {"description", [&](auto& key, auto& value) { axis.description = table.text(key, value); }},
           {"choice", [&](auto& key, auto& value) { read_choices(table, table.tables(key, value), axis.choices); }},
           {"usual", [&](auto& key, auto& value) { axis.usual = table.texts(key, value); }},
       });
@@ -139,7 +168,7 @@ class ExperimentReader {
     for (const toml::node& one : tables) {
       AxisChoice choice;
       choice.patch = read_patch(*one.as_table(), [&](const TableReader& table, auto& key, auto& value) {
-        choice.name = table.text(key, value);
+        (key == "name" ? choice.name : choice.description) = table.text(key, value);
       });
       if (choice.name.empty()) in.refuse(one, "axis.choice: expected a name, found none");
       for (const AxisChoice& other : choices) {
@@ -152,7 +181,7 @@ class ExperimentReader {
 
   using NameReader = std::function<void(const TableReader&, const std::string& key, const toml::node& value)>;
 
-  /// `name`: reads the key "name"; empty: the key is unknown.
+  /// `name`: reads the keys "name" and "description"; empty: the keys are unknown.
   ConditionPatch read_patch(const toml::table& table, const NameReader& name) const {
     constexpr double kDay = 86'400.0;  // s
     ConditionPatch patch;
@@ -211,7 +240,10 @@ class ExperimentReader {
         }
       };
     }
-    if (name) readers["name"] = [&](auto& key, auto& value) { name(in, key, value); };
+    if (name) {
+      for (const char* const key : {"name", "description"})
+        readers[key] = [&](auto& found, auto& value) { name(in, found, value); };
+    }
     in.read(readers);
     return patch;
   }

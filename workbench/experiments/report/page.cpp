@@ -2,6 +2,7 @@
 #include "workbench/experiments/report/page.h"
 
 #include "engine/parameters/counted.h"
+#include "workbench/experiments/report/conditions.h"
 #include "workbench/experiments/report/figures.h"
 #include "workbench/experiments/report/style.h"
 #include "workbench/experiments/report/tables.h"
@@ -110,6 +111,7 @@ std::string report_page(const Report& report) {
       out.leaf("h2", "Results");
       draw_compasses(out, report);
       draw_rows(out, report);
+      draw_measures(out, report);
       draw_failures(out, report);
       draw_references(out, report);
       draw_time_to_right(out, report);
@@ -119,6 +121,7 @@ std::string report_page(const Report& report) {
       draw_roc(out, report);
       draw_reliability(out, report);
       draw_confidences(out, report);
+      draw_conditions(out, report);
       draw_method(out);
       draw_files(out);
     }

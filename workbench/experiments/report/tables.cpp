@@ -148,6 +148,34 @@ void draw_rows(Markup& out, const Report& report) {
   }
 }
 
+void draw_measures(Markup& out, const Report& report) {
+  const std::vector<Measure>& measures = report.experiment.measures;
+  if (measures.empty()) return;
+  std::vector<std::string> names = axis_names(report);
+  names.emplace_back("measure");
+  NumberTable table(out,
+                    "Measures of each cell, from the start of a trial\u2019s clock to its end. Counts are numbers of "
+                    "events in one trial. Mean with bootstrap interval, least and most are over the trials.",
+                    names, {"unit", "trials", "mean of a trial [95 %]", "least", "most"});
+  const auto add = [&](const CellResults& cell, std::string_view kind) {
+    for (std::size_t i = 0; i < measures.size() && i < cell.row.measures.size(); ++i) {
+      const MeasureRow& row = cell.row.measures[i];
+      const auto known = [&row](double value) {
+        return fixed(row.trials > 0 ? std::optional(value) : std::nullopt, 3);
+      };
+      std::vector<std::string> choices = cell.choices;
+      choices.push_back(measures[i].label());
+      table.add(
+          choices,
+          {unit_of(measures[i]), std::to_string(row.trials),
+           known(row.mean) + (row.interval ? " " + fixed(*row.interval, 3) : ""), known(row.least), known(row.most)},
+          kind);
+    }
+  };
+  for (const CellResults& cell : report.cells) add(cell, "");
+  for (const CellResults& row : pooled_over_rooms(report.experiment, report.cells)) add(row, "own");
+}
+
 void draw_references(Markup& out, const Report& report) {
   const std::vector<Reference>& references = report.experiment.references;
   if (references.empty()) return;

@@ -10,6 +10,9 @@ namespace reorient {
 /// A row for each cell.
 void draw_rows(Markup& out, const Report& report);
 
+/// A row for each cell and measure; writes nothing if the experiment has no measures.
+void draw_measures(Markup& out, const Report& report);
+
 /// Published results, with the rows of the same choices; writes nothing if the experiment has no references.
 void draw_references(Markup& out, const Report& report);
 

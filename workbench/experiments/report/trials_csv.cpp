@@ -43,6 +43,7 @@ std::string trials_as_csv(const Report& report) {
   for (const Axis& axis : report.experiment.axes) line.push_back(axis.name);
   line.emplace_back("task");
   visit_columns([&line](const char* name, const auto&) { line.emplace_back(name); }, TrialResult());
+  for (const Measure& measure : report.experiment.measures) line.push_back(measure.label());
   std::string text;
   add_line(text, line);
   int task = 0;
@@ -51,6 +52,8 @@ std::string trials_as_csv(const Report& report) {
       line = cell.choices;
       line.push_back(std::to_string(++task));
       visit_columns([&line](const char*, const auto& value) { line.push_back(text_of(value)); }, trial);
+      for (std::size_t i = 0; i < report.experiment.measures.size(); ++i)
+        line.push_back(i < trial.measures.size() ? text_of(trial.measures[i]) : "");
       add_line(text, line);
     }
   }

@@ -80,6 +80,7 @@ Row row_of(const std::vector<TrialResult>& results) {
   ScoredSamples samples;
   add_scores(samples, results);
   row.pose = pose_row_of(results);
+  row.measures = measure_rows_of(results);
   row.confidence_area = if_known(area_below(roc_curve(std::move(samples.wrong), std::move(samples.right))));
   return row;
 }

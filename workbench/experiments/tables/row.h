@@ -8,6 +8,7 @@
 #include "workbench/experiments/statistics/calibration.h"
 #include "workbench/experiments/statistics/interval.h"
 #include "workbench/experiments/statistics/times.h"
+#include "workbench/experiments/tables/measure_row.h"
 #include "workbench/experiments/tables/pose_row.h"
 #include "workbench/experiments/trial/trial_result.h"
 
@@ -54,6 +55,7 @@ struct Row {
   int calibration_samples = 0;              ///< of the evidence while the belief was right, or the reflection
   std::optional<double> calibration_error;  ///< of those; nothing without samples
   std::optional<PoseRow> pose;
+  std::vector<MeasureRow> measures;  ///< in the order of the experiment's measures
   std::optional<double>
       confidence_area;  ///< below the ROC curve of the confidences' lead; nothing: only right or only wrong beliefs
 };

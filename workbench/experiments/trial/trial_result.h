@@ -64,6 +64,8 @@ struct TrialResult {
   std::vector<ConfidenceSample> confidences;  ///< twice a second
   std::vector<CompassLook> looks;             ///< empty unless the condition compares compasses
   std::optional<PoseErrors> pose_errors;      ///< if the condition requests them
+  /// Values of the experiment's measures, in their order; nothing: the trial has none.
+  std::vector<std::optional<double>> measures;
 
   bool failed() const { return !right_after.has_value() && !(symmetric_room && ended_uninformative); }
   /// Whether its belief was wrong when the clock started; a trial whose clock never started counts as disturbed.
