@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "program/robots.h"
 
+#include <functional>
 #include <stdexcept>
 
 #include "engine/parameters/nearest_name.h"
@@ -23,26 +24,38 @@ struct SimulatorTuning {
     registry.bind("light", simulator.light);
     registry.bind("room_shape", room_shape);
     registry.bind("furniture", simulator.furniture);
+    registry.bind("ball_physics", simulator.ball_physics);
+    registry.bind("ball_sensor", simulator.ball_sensor);
+    registry.bind("kick", simulator.kick);
+    registry.bind("match", rules.match);
+    registry.bind("network", rules.network);
+    registry.bind("collisions", rules.collisions);
+    rules.ball = simulator.ball_physics;
   }
 
   SimulatorParameters simulator;
   RoomShape room_shape;
+  GameRules rules;
   ParameterRegistry registry;
 };
 
-std::unique_ptr<Simulator> simulator_of(const RobotOptions& options, bool labels) {
+std::unique_ptr<Simulator> simulator_of(const RobotOptions& options,
+                                        const std::function<void(SimulatorParameters&)>& change) {
   SimulatorTuning tuning(options);
-  tuning.simulator.labels = labels;
+  change(tuning.simulator);
   const FieldDimensions& field = options.field;
   const Pose2 beside_the_field(-field.penalty_mark_x, -0.5 * field.width - 0.5, kPi / 2.0);
   RoomCache own;
   RoomCache& rooms = options.rooms != nullptr ? *options.rooms : own;
   const Room& room = rooms.room(options.room, options.hall_seed, tuning.room_shape);
-  return std::make_unique<Simulator>(tuning.simulator, options.body, field, room, beside_the_field, options.seed);
+  auto simulator =
+      std::make_unique<Simulator>(tuning.simulator, options.body, field, room, beside_the_field, options.seed);
+  if (!options.application.is_empty()) simulator->play_application(options.application);
+  return simulator;
 }
 
 RobotInstance make_simulator(const RobotOptions& options) {
-  std::unique_ptr<Simulator> simulator = simulator_of(options, false);
+  std::unique_ptr<Simulator> simulator = simulator_of(options, [](SimulatorParameters&) {});
   Simulator* const itself = simulator.get();
   return {std::move(simulator), itself->body(), RobotInstance::Clock::simulated, itself, itself};
 }
@@ -105,7 +118,18 @@ std::vector<std::string> robot_names() {
 
 std::string robot_description(const std::string& name) { return maker_of(name).description; }
 
-std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options) { return simulator_of(options, true); }
+std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options) {
+  return simulator_of(options, [](SimulatorParameters& parameters) { parameters.labels = true; });
+}
+
+std::unique_ptr<Simulator> make_player(const RobotOptions& options, std::uint64_t surroundings_seed) {
+  return simulator_of(options, [&](SimulatorParameters& parameters) {
+    parameters.other_robots = 0;
+    parameters.surroundings_seed = surroundings_seed;
+  });
+}
+
+GameRules game_rules(const RobotOptions& options) { return SimulatorTuning(options).rules; }
 
 RobotInstance make_robot(const std::string& name, const RobotOptions& options) { return maker_of(name).make(options); }
 

@@ -9,7 +9,12 @@
 
 #include "engine/parameters/parameter.h"
 #include "geometry/field_dimensions.h"
+#include "robots/application.h"
 #include "robots/robot_instance.h"
+#include "robots/simulator/ball/rolling_ball.h"
+#include "robots/simulator/game/collisions.h"
+#include "robots/simulator/game/match_referee.h"
+#include "robots/simulator/game/team_network.h"
 #include "robots/simulator/room/room.h"
 
 namespace reorient {
@@ -37,7 +42,8 @@ struct RobotOptions {
   int width = 320;              ///< of a camera's image, pixels
   bool both_cameras = false;    ///< the lower one as well
   std::vector<ParameterChange> parameters;
-  RoomCache* rooms = nullptr;  ///< nullptr: each robot creates its own room
+  RoomCache* rooms = nullptr;          ///< nullptr: each robot creates its own room
+  ApplicationInterface application{};  ///< whose application the simulator plays; empty: none
 };
 
 /// "simulator", "footage", "companion", "nao".
@@ -57,6 +63,19 @@ RobotInstance make_robot(const std::string& name, const RobotOptions& options);
 
 /// The simulator itself, which can label each pixel of its images. Throws the same.
 std::unique_ptr<Simulator> make_labeled_simulator(const RobotOptions& options);
+
+/// What the robots of a game share.
+struct GameRules {
+  MatchParameters match;
+  NetworkParameters network;
+  CollisionParameters collisions;
+  BallParameters ball;
+};
+
+/// The simulator of one robot of a game, without other robots of its own. `surroundings_seed`: of light and spectators.
+/// Throws the same.
+std::unique_ptr<Simulator> make_player(const RobotOptions& options, std::uint64_t surroundings_seed);
+GameRules game_rules(const RobotOptions& options);
 
 /// The robot's own parameters with their values; they are fixed during a run.
 std::vector<Parameter> robot_parameters(const std::string& name, const RobotOptions& options);

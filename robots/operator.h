@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "geometry/const_or.h"
 #include "geometry/pose2.h"
 
@@ -21,6 +23,8 @@ class Operator {
   /// Brightness of the hall relative to the exposure of the camera, in powers of two.
   virtual void set_exposure_compensation(double stops) = 0;
   virtual void change_light() = 0;  ///< changes the light, and the objects on the walls and the people with it
+  /// Places the ball at rest (m). No effect without a ball.
+  virtual void put_ball(const Eigen::Vector2d& /*where*/) {}
 };
 
 /// The true state of a robot.
@@ -34,11 +38,20 @@ void fields(Visit&& visit, T& truth) {
   visit(truth.pose, truth.fallen, truth.carried);
 }
 
+/// The true state of the ball and the score.
+struct BallTruth {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m
+  int goals = 0;                                       ///< of this robot's team: in the goal at positive x
+  int opponents_goals = 0;
+};
+
 class GroundTruthSource {
  public:
   virtual ~GroundTruthSource() = default;
   /// True state at the last observation; empty if it is unknown.
   virtual std::optional<GroundTruth> truth() const = 0;
+  /// The same of the ball; empty without a ball.
+  virtual std::optional<BallTruth> true_ball() const { return std::nullopt; }
 };
 
 }  // namespace reorient

@@ -144,7 +144,9 @@ Simulation::Simulation(const SimulationOptions& options, RoomCache* rooms, bool 
   ParameterModules modules{{}, loaded_modules(options, setup.behaviors), all_modules(scripts)};
   RobotOptions robot{
       body,      setup.field, venue_.room, venue_.hall_seed, options.seed, options.width, options.cameras == "both",
-      overrides, rooms};
+      overrides, rooms,       {}};
+  // The scenario plays the application of an interface that it names.
+  if (!options.interface.empty()) robot.application = setup.application;
   robot_parameters_ = robot_parameters(options.robot, robot);
   if (makes_robot) robot_ = make_robot(options.robot, robot);
   setup.body = makes_robot ? robot_.body : body;

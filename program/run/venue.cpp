@@ -90,6 +90,10 @@ ApplicationInterface interface_named(const std::filesystem::path& named) {
   return load_interface(existing_file("interface", "interfaces", named, kTomlFiles));
 }
 
+std::string room_file(const std::string& named) {
+  return existing_file("room", "rooms", named, kPanoramaExtensions).string();
+}
+
 std::filesystem::path body_file(const std::filesystem::path& named) {
   return existing_file("body", "robots", named.empty() ? "nao-v6" : named, kTomlFiles);
 }
@@ -112,7 +116,7 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting,
   Venue venue;
   const bool room_is_told = !options.room.empty() || options.hall_seed;
   const std::string room = room_is_told ? options.room : room_named_by_script(options.scripts, setting.room);
-  if (!room.empty()) venue.room = existing_file("room", "rooms", room, kPanoramaExtensions).string();
+  if (!room.empty()) venue.room = room_file(room);
   venue.hall_seed = (room_is_told ? options.hall_seed : setting.hall_seed).value_or(1);
   const std::string field =
       options.field.empty() ? field_named_by_script(options.scripts, setting.field) : options.field.string();

@@ -36,6 +36,8 @@ Venue venue_of(const SimulationOptions& options, const ScenarioSetting& setting,
 /// A file, or a shipped file by its name; the NAO's for an empty path. Throws std::runtime_error with one line if the
 /// file is missing.
 std::filesystem::path body_file(const std::filesystem::path& named);
+/// The panorama of a room, or a shipped one by its name; not empty. Throws the same.
+std::string room_file(const std::string& named);
 /// The same for a field; for an empty path the field of the body, if it is known.
 std::filesystem::path field_file(const std::filesystem::path& named);
 std::filesystem::path field_file(const std::filesystem::path& named, const RobotBody& body);

@@ -10,6 +10,7 @@
 
 #include "geometry/field_landmarks.h"
 #include "geometry/pinned_math.h"
+#include "robots/simulator/ball/field_exit.h"
 
 namespace reorient {
 namespace {
@@ -104,6 +105,7 @@ RollingBall somewhere_on(const FieldDimensions& field, std::uint64_t seed) {
   constexpr std::uint64_t kStream = 0xba11;
   Random random(seed, kStream);
   RollingBall ball;
+  ball.radius = 0.5 * field.ball_diameter;
   ball.position = {random.uniform(-0.35, 0.35) * field.length, random.uniform(-0.35, 0.35) * field.width};
   return ball;
 }
@@ -134,8 +136,10 @@ Simulator::Simulator(const SimulatorParameters& parameters, const RobotBody& bod
       body_(parameters.body, with_tilt_error(robot_, parameters, seed), start, seed),
       players_(parameters.other_robots, field, start.position, seed),
       ball_(somewhere_on(field, seed)),
-      spectators_(parameters.spectators, room.shape, field, room.light, seed),
-      light_(parameters.light, room.shape.height, seed),
+      ball_sensor_(parameters.ball_sensor, seed),
+      kick_(parameters.kick, seed),
+      spectators_(parameters.spectators, room.shape, field, room.light, parameters.surroundings_seed.value_or(seed)),
+      light_(parameters.light, room.shape.height, parameters.surroundings_seed.value_or(seed)),
       link_(seed, kLink),
       upper_(camera_, field, room, parameters.labels, parameters, seed) {
   constexpr std::uint64_t kLowerNoise = 0x10e6;
@@ -150,13 +154,16 @@ Simulator::Simulator(const SimulatorParameters& parameters, const RobotBody& bod
 }
 
 bool Simulator::observe(Observation& observation) {
-  body_samples_.clear();
-  move();
-  while (is_dropped()) {
-    ++frame_;
-    move();
+  if (!is_in_game_) {
+    body_samples_.clear();
+    move_world();
+    while (is_dropped()) {
+      ++frame_;
+      move_world();
+    }
   }
   look(observation);
+  if (application_) report_ball(observation.external);
   ++frame_;
   return true;
 }
@@ -166,6 +173,7 @@ bool Simulator::is_dropped() {
 }
 
 void Simulator::answer(const Answer& answer) {
+  if (application_) application_->begin(answer.actions, kick_);
   if (parameters_.latency <= 0.0) {
     request_ = answer.request;
     return;
@@ -182,18 +190,38 @@ void Simulator::take_requests() {
   waiting_.erase(waiting_.begin(), due);
 }
 
-void Simulator::move() {
+void Simulator::move_world() {
   const double time_step = 1.0 / parameters_.frame_rate;
   players_.advance(time_step, body_.pose().position, fixed_barriers_);
+  move_body();
+  if (parameters_.ball) roll_ball();
+}
+
+void Simulator::advance() {
+  body_samples_.clear();
+  move_body();
+  kick();
+}
+
+void Simulator::share(const SharedWorld& world) {
+  is_in_game_ = true;
+  players_.place(world.others);
+  ball_ = world.ball;
+}
+
+void Simulator::move_body() {
+  const double time_step = 1.0 / parameters_.frame_rate;
   barriers_.assign(fixed_barriers_.begin(), fixed_barriers_.end());
   for (const Player& player : players_.all()) {
     barriers_.push_back({player.pose.position, player.pose.position, Players::kRadius});
   }
   take_requests();
+  Request request = request_;
+  if (kick_.is_active()) request.walk = {};
   const int samples = std::max(1, parameters_.body_samples);
   const double now = static_cast<double>(frame_) * time_step;
   for (int i = 1; i <= samples; ++i) {
-    body_.advance(time_step / samples, request_, barriers_, bounds_);
+    body_.advance(time_step / samples, request, barriers_, bounds_);
     body_samples_.push_back(body_.sample(now - time_step * (samples - i) / samples));
     // The two cameras of a robot are not synchronized: the lower one is exposed shortly before the upper one.
     if (lower_ && (i == samples - 1 || samples == 1)) {
@@ -201,10 +229,66 @@ void Simulator::move() {
       field_from_lower_ = body_.field_from_camera(HeadCamera::lower);
     }
   }
-  if (!parameters_.ball) return;
-  if (body_.posture() == Body::Posture::upright) ball_.touch(body_.pose().position);
-  for (const Player& player : players_.all()) ball_.touch(player.pose.position);
-  ball_.advance(time_step, carpet_half_size(field_));
+}
+
+void Simulator::kick() {
+  kicked_.reset();
+  if (!application_ || !kick_.is_active()) return;
+  const WalkVelocity& walk = body_.velocity();
+  const KickerState kicker{body_.pose(), body_.posture() == Body::Posture::upright,
+                           pinned::hypot(walk.forward, walk.left), size_};
+  const std::optional<Eigen::Vector2d> ball = parameters_.ball ? std::optional(ball_.position) : std::nullopt;
+  const Kick::Progress progress =
+      kick_.advance(1.0 / parameters_.frame_rate, kicker, ball, ball_mass(field_.ball_diameter));
+  application_->take(progress);
+  kicked_ = progress.velocity;
+}
+
+void Simulator::roll_ball() {
+  kick();
+  if (kicked_) ball_.velocity = *kicked_;
+  if (body_.posture() == Body::Posture::upright)
+    ball_.touch(body_.pose().position, Body::kRadius, parameters_.ball_physics);
+  for (const Player& player : players_.all())
+    ball_.touch(player.pose.position, Body::kRadius, parameters_.ball_physics);
+  ball_.advance(1.0 / parameters_.frame_rate, parameters_.ball_physics, fixed_barriers_, carpet_half_size(field_));
+  count_goals();
+}
+
+void Simulator::count_goals() {
+  const std::optional<FieldExit> exit = exit_of(ball_, field_);
+  const bool was_in_goal = std::exchange(is_in_goal_, exit && exit->line == FieldExit::Line::goal);
+  if (is_in_goal_ && !was_in_goal) ++goals_[exit->side > 0.0 ? 0 : 1];
+}
+
+void Simulator::put_ball(const Eigen::Vector2d& where) {
+  ball_.position = where;
+  ball_.velocity.setZero();
+  is_in_goal_ = false;
+}
+
+std::optional<BallTruth> Simulator::true_ball() const {
+  if (!parameters_.ball) return std::nullopt;
+  return BallTruth{ball_.position, goals_[0], goals_[1]};
+}
+
+void Simulator::report_ball(ExternalInputs& external) {
+  application_->report_kick(external);
+  occluders_.clear();
+  for (const Player& player : players_.all()) {
+    constexpr double kLying = 0.15;  // m, height of a lying NAO
+    const Occluder standing;
+    occluders_.push_back(
+        {player.pose.position, size_ * standing.radius, size_ * (player.is_lying ? kLying : standing.height)});
+  }
+  const Eigen::Vector3d center(ball_.position.x(), ball_.position.y(), ball_.radius);
+  // The detector uses both cameras of the body, also if the robot sends the images of one.
+  const std::array<Isometry3, 2> cameras{field_from_camera_, body_.field_from_camera(HeadCamera::lower)};
+  const std::size_t count = robot_.lower_camera ? 2 : 1;
+  const std::optional<Eigen::Vector2d> measured =
+      ball_sensor_.measure({center, body_.pose(), std::span(cameras).first(count), camera_, occluders_});
+  const bool can_see = parameters_.ball && body_.posture() == Body::Posture::upright;
+  application_->report_ball(can_see ? measured : std::nullopt, external);
 }
 
 CameraFrame Simulator::moment(HeadCamera camera, const BodySample& body) const {
@@ -255,7 +339,7 @@ void Simulator::place_people(double time) {
   scene_.shadows.resize(standing_shadows_);
   static const LinearColor kJerseys[] = {{0.03f, 0.07f, 0.42f}, {0.55f, 0.02f, 0.03f}};
   for (const Player& player : players_.all()) {
-    add_robot(scene_, player.pose, player.stride, size_, kJerseys[player.team], room_.light);
+    add_robot(scene_, player.pose, player.stride, size_, kJerseys[player.team], room_.light, player.is_lying);
   }
   if (parameters_.ball) add_ball(scene_, ball_.position, field_.ball_diameter, room_.light);
   spectators_.add_to(scene_, time);

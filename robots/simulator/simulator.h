@@ -2,6 +2,7 @@
 // Simulates a humanoid on a field in a room, frame by frame. The same seed and the same requests give the same bytes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,7 +16,10 @@
 #include "robots/robot.h"
 #include "robots/simulator/agents/players.h"
 #include "robots/simulator/agents/spectators.h"
-#include "robots/simulator/body/ball.h"
+#include "robots/simulator/ball/ball_application.h"
+#include "robots/simulator/ball/ball_sensor.h"
+#include "robots/simulator/ball/kick.h"
+#include "robots/simulator/ball/rolling_ball.h"
 #include "robots/simulator/body/body.h"
 #include "robots/simulator/render/light/hall_light.h"
 #include "robots/simulator/render/renderer.h"
@@ -45,10 +49,15 @@ struct SimulatorParameters {
   int spectators = 36;
   bool ball = true;
   bool labels = false;  ///< whether labels() and depth() are available; not a parameter of the program
+  /// Seed of light and spectators, which the robots of a game share; empty: that of the robot. Not a parameter.
+  std::optional<std::uint64_t> surroundings_seed;
   BodyParameters body;
   SensorParameters sensor;
   HallLightParameters light;
   FurnitureParameters furniture;
+  BallParameters ball_physics;
+  BallSensorParameters ball_sensor;
+  KickParameters kick;
 };
 
 template <typename Visit>
@@ -79,6 +88,12 @@ void describe(SimulatorParameters& p, Visit&& visit) {
 /// The defaults, with the values that a body's file sets.
 SimulatorParameters simulator_parameters_of(const RobotBody& body);
 
+/// What the robots of a game share, as one of them meets it.
+struct SharedWorld {
+  std::vector<Player> others;
+  RollingBall ball;
+};
+
 class Simulator : public Robot, public Operator, public GroundTruthSource {
  public:
   /// Throws std::runtime_error with one line if both cameras are requested and the robot has one, if the field's carpet
@@ -86,13 +101,27 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   Simulator(const SimulatorParameters& parameters, const RobotBody& body, const FieldDimensions& field,
             const Room& room, const Pose2& start, std::uint64_t seed);
 
-  /// Advances the world by one frame and observes it. Never ends, never waits.
+  /// Advances the world by one frame and observes it; in a game it only observes. Never ends, never waits.
   bool observe(Observation& observation) override;
   void answer(const Answer& answer) override;
   /// The body as the robot assumes it, without calibration errors.
   const RobotBody& body() const { return robot_; }
   GroundTruth ground_truth() const { return body_.ground_truth(); }
   std::optional<GroundTruth> truth() const override { return ground_truth(); }
+  std::optional<BallTruth> true_ball() const override;
+
+  /// Makes the simulator the application of this interface (BallApplication).
+  void play_application(const ApplicationInterface& declared) { application_.emplace(declared); }
+
+  // For a game of several robots, each in its own simulator. In each frame the game calls advance() of all robots, then
+  // share() with the new world, then observe(). No image is dropped then.
+
+  /// Replaces the other robots and the ball, which the game moves from the first call.
+  void share(const SharedWorld& world);
+  /// Moves this robot by one frame.
+  void advance();
+  /// The velocity (m/s) of the ball that this robot kicked in the latest advance().
+  const std::optional<Eigen::Vector2d>& kicked() const { return kicked_; }
 
   void pick_up() override { body_.pick_up(); }
   void put_down(const Pose2& where) override { body_.put_down(where); }
@@ -100,7 +129,7 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   void penalize(bool penalized) override { body_.penalize(penalized); }
   void set_exposure_compensation(double stops) override;
   void change_light() override;
-  void put_ball(const Eigen::Vector2d& where) { ball_ = {where, Eigen::Vector2d::Zero()}; }  ///< m
+  void put_ball(const Eigen::Vector2d& where) override;
 
   /// Label and depth (m) of each pixel of the latest image, row by row. Depth is along the optical axis, for a lens
   /// other than a pinhole along the pixel's ray. Empty unless SimulatorParameters::labels.
@@ -111,6 +140,10 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   const Isometry3& field_from_camera() const { return field_from_camera_; }
   const std::vector<Player>& other_robots() const { return players_.all(); }
   const RollingBall& ball() const { return ball_; }
+  const Body& robot() const { return body_; }
+  double size() const { return size_; }  ///< of the robots, relative to a NAO
+  const std::vector<Barrier>& fixed_barriers() const { return fixed_barriers_; }
+  double time_step() const { return 1.0 / parameters_.frame_rate; }  ///< s
 
  private:
   /// Renderer and sensor of one camera.
@@ -133,7 +166,12 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
     Request request;
   };
 
-  void move();
+  void move_world();
+  void move_body();
+  void kick();
+  void roll_ball();
+  void count_goals();
+  void report_ball(ExternalInputs& external);
   void take_requests();
   bool is_dropped();
   void place_people(double time);
@@ -155,6 +193,14 @@ class Simulator : public Robot, public Operator, public GroundTruthSource {
   Body body_;
   Players players_;
   RollingBall ball_;
+  BallSensor ball_sensor_;
+  Kick kick_;
+  std::optional<BallApplication> application_;
+  std::optional<Eigen::Vector2d> kicked_;  // m/s
+  std::array<int, 2> goals_{};             // in the goals at positive and at negative x
+  bool is_in_goal_ = false;                // the ball, and the goal was counted
+  bool is_in_game_ = false;                // a game moves the other robots and the ball
+  std::vector<Occluder> occluders_;        // memory of report_ball()
   Spectators spectators_;
   HallLight light_;
   Request request_;

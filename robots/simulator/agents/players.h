@@ -19,6 +19,7 @@ struct Player {
   double stride = 0.0;                             ///< rad, phase of its steps
   double wait = 0.0;                               ///< s until it walks again
   int team = 0;                                    ///< 0 or 1
+  bool is_lying = false;                           ///< on the ground, on its back
 };
 
 class Players {
@@ -27,6 +28,9 @@ class Players {
 
   /// Advances by `time_step` seconds. No player walks into `robot` (m) or into the barriers.
   void advance(double time_step, const Eigen::Vector2d& robot, std::span<const Barrier> barriers);
+
+  /// Replaces all players, which another owner moves.
+  void place(const std::vector<Player>& players) { players_ = players; }
 
   const std::vector<Player>& all() const { return players_; }
 

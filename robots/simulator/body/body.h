@@ -125,6 +125,7 @@ class Body {
   const TorsoAttitude& torso() const { return torso_; }
   double torso_height() const { return torso_height_; }  ///< m above the ground
   const WalkVelocity& velocity() const { return velocity_; }
+  double gait() const { return gait_; }  ///< rad, phase of the double step
 
   Isometry3 field_from_camera(HeadCamera camera = HeadCamera::upper) const;
 

@@ -77,11 +77,13 @@ void add_furniture(Scene& scene, const FurniturePiece& piece, double perimeter) 
 }
 
 void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,
-               const LinearColor& light) {
+               const LinearColor& light, bool is_lying) {
+  constexpr double kBack = 0.07;  // m, from the axis of a NAO to its back
   const double swing = 0.06 * pinned::sin(stride);
   const double lift = 0.012 * std::abs(pinned::sin(stride));
   const double rock = 0.012 * pinned::cos(stride);
   const auto point = [&](double forward, double left, double height) {
+    if (is_lying) return at(pose * Eigen::Vector2d(size * height, size * left), size * (kBack + forward));
     return at(pose * Eigen::Vector2d(size * forward, size * left), size * height);
   };
   const auto limb = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius,

@@ -33,9 +33,10 @@ void add_goals(Scene& scene, const FieldDimensions& field, const LinearColor& li
 /// Adds the sides and the top of a box. `perimeter`: of the room's walls, m.
 void add_furniture(Scene& scene, const FurniturePiece& piece, double perimeter);
 
-/// Adds a robot with the shape of a NAO, `size` times as large. `stride` (rad) is the phase of legs and arms.
+/// Adds a robot with the shape of a NAO, `size` times as large. `stride` (rad) is the phase of legs and arms. If
+/// `is_lying`, it lies on its back with the head ahead of its feet.
 void add_robot(Scene& scene, const Pose2& pose, double stride, double size, const LinearColor& jersey,
-               const LinearColor& light);
+               const LinearColor& light, bool is_lying = false);
 
 void add_ball(Scene& scene, const Eigen::Vector2d& position, double diameter, const LinearColor& light);
 
