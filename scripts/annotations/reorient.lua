@@ -131,13 +131,17 @@ seen = {}
 ---@field center_circle_radius number m, radius of the center circle
 field = {}
 
----The true pose of the robot; only available from a simulator or a tracking camera.
+---The true pose of the robot, only available from a simulator or a tracking camera, and the true ball, only available from a simulator that has one.
 ---@class reorient.truth
 ---@field x number m, position toward the opponents' goal
 ---@field y number m, position to the left
 ---@field rotation number rad, direction: 0 toward the opponents' goal, positive to the left
 ---@field fallen boolean whether the robot truly lies on the ground
 ---@field carried boolean whether the robot is truly in the air
+---@field ball_x number m, true position of the ball toward the opponents' goal
+---@field ball_y number m, true position of the ball to the left
+---@field score number number of times the ball rolled into the opponents' goal
+---@field score_of_opponents number number of times the ball rolled into the own goal
 truth = {}
 
 ---@class reorient.command
@@ -232,6 +236,11 @@ function operator.pick_up() end
 ---@param y number
 ---@param rotation number
 function operator.put_down(x, y, rotation) end
+
+---Places the ball at this position (m), at rest. No effect without a ball.
+---@param x number
+---@param y number
+function operator.put_ball(x, y) end
 
 ---Makes the robot fall.
 function operator.push_over() end
@@ -531,7 +540,7 @@ function print(...) end
 ---@alias reorient.Verdict "granted"|"outranked"|"too_soon"|"not_allowed"
 ---@alias reorient.PauseName "pause_training"|"pause_evaluation"
 ---@alias reorient.ApplicationAction string
----@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"|"set_game_state"|"stop_game"|"set_kick_off"|"set_input"|"report_action"
+---@alias reorient.ActionName "pick_up"|"put_down"|"push_over"|"penalize"|"set_exposure_compensation"|"set_initial_pose"|"half_time"|"change_light"|"tell_message"|"set_game_state"|"stop_game"|"set_kick_off"|"set_input"|"report_action"|"put_ball"
 ---@alias reorient.MachineName string
 ---@alias reorient.StatePath string
 ---@alias reorient.BehaviorScript string

@@ -264,7 +264,7 @@ class ScenarioTrial : private ScenarioLanguageFirst, public Trial {
  private:
   void append_values(const World& world, const std::optional<GroundTruth>& truth,
                      std::vector<double>& values) const override {
-    append_scenario_world(world, truth, values);
+    append_scenario_world(world, truth, std::nullopt, values);
   }
 
   void look_at_actions() const override {

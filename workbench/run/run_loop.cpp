@@ -118,8 +118,10 @@ void RunLoop::show_requests() {
 void RunLoop::play_scenario() {
   const FrameRecord& record = parts_.engine.record();
   parts_.behaviors->show(*record.names, record.machines, record.published, record.world.time);
-  scene_.scenario = parts_.scenario->tick({record.world, record.application, scene_.truth});
   bool sides_changed = record.world.sides_changed;
+  std::optional<BallTruth> ball = parts_.robot.truth != nullptr ? parts_.robot.truth->true_ball() : std::nullopt;
+  if (ball) ball = score_.count(*ball, sides_changed);
+  scene_.scenario = parts_.scenario->tick({record.world, record.application, scene_.truth, ball});
   for (const OperatorAction& action : scene_.scenario.actions)
     carry_out(action, *parts_.robot.the_operator, inputs_.external, sides_changed, record.world.referee);
 }

@@ -61,6 +61,7 @@ class RunLoop {
   RunParts parts_;
   FrameInputs inputs_;
   SceneTruth scene_;
+  TeamScore score_;
   bool any_frame_ = false;
   double first_time_ = 0.0;                  // s, of the robot's first frame
   RunPace real_time_;                        // without RunParts::controls

@@ -43,7 +43,7 @@ ScenarioSetting ScenarioHost::setting() const {
 
 const ScenarioRecord& ScenarioHost::tick(const ScenarioView& view) {
   values_.clear();
-  append_scenario_world(view.world, view.truth, values_);
+  append_scenario_world(view.world, view.truth, view.ball, values_);
   language_.actions().set_application(view.application);
   const ScriptOutput& said = host_.tick(view.world.time, values_);
   record_.names = host_.names().table();
@@ -79,6 +79,8 @@ void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInp
       return the_operator.put_down(in_axes_of_team(action.pose, sides_changed));
     case Kind::push_over:
       return the_operator.push_over();
+    case Kind::put_ball:
+      return the_operator.put_ball(in_axes_of_team(action.pose, sides_changed).position);
     case Kind::penalize:
       said().penalized = action.penalized;
       return the_operator.penalize(action.penalized);
@@ -112,6 +114,17 @@ void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInp
       external.half_time = !external.half_time;
       if (external.initial_pose) external.initial_pose->pose = reflect(external.initial_pose->pose);  // set just before
   }
+}
+
+BallTruth TeamScore::count(BallTruth now, bool sides_changed) {
+  int at_positive_x = now.goals - last_.goals;
+  int at_negative_x = now.opponents_goals - last_.opponents_goals;
+  last_ = now;
+  if (sides_changed) std::swap(at_positive_x, at_negative_x);
+  team_.goals += at_positive_x;
+  team_.opponents_goals += at_negative_x;
+  team_.position = sides_changed ? Eigen::Vector2d(-now.position) : now.position;
+  return team_;
 }
 
 }  // namespace reorient

@@ -41,6 +41,7 @@ struct ScenarioView {
   const World& world;
   const ApplicationRecord& application;
   std::optional<GroundTruth> truth;
+  std::optional<BallTruth> ball{};  ///< empty: there is no ball
 };
 
 /// The behaviors of a frame's record, for `behaviors.NAME.state`.
@@ -110,5 +111,15 @@ void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInp
 
 /// Converts a pose from the axes of the hall (the team's axes in the first half) to the team's axes, and back.
 inline Pose2 in_axes_of_team(const Pose2& pose, bool sides_changed) { return sides_changed ? reflect(pose) : pose; }
+
+/// Counts the goals of a team that changes sides: `now` is the ball in the axes of the hall, whose goals are those in
+/// the goals at positive and negative x.
+class TeamScore {
+ public:
+  BallTruth count(BallTruth now, bool sides_changed);
+
+ private:
+  BallTruth last_, team_;
+};
 
 }  // namespace reorient

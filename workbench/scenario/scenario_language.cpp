@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "workbench/scenario/scenario_language.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <stdexcept>
@@ -15,9 +16,11 @@ namespace reorient {
 namespace {
 
 constexpr WorldTable kTruth{"truth",
-                            "The true pose of the robot; only available from a simulator or a tracking camera."};
+                            "The true pose of the robot, only available from a simulator or a tracking camera, and the "
+                            "true ball, only available from a simulator that has one."};
 
-constexpr std::array<WorldField, 5> kTruthFields{{
+constexpr std::size_t kBallFields = 4;  // the last ones
+constexpr std::array<WorldField, 5 + kBallFields> kTruthFields{{
     {"truth", "x", "m", "position toward the opponents' goal", WorldField::Type::number, {}},
     {"truth", "y", "m", "position to the left", WorldField::Type::number, {}},
     {"truth",
@@ -28,6 +31,15 @@ constexpr std::array<WorldField, 5> kTruthFields{{
      {}},
     {"truth", "fallen", "", "whether the robot truly lies on the ground", WorldField::Type::boolean, {}},
     {"truth", "carried", "", "whether the robot is truly in the air", WorldField::Type::boolean, {}},
+    {"truth", "ball_x", "m", "true position of the ball toward the opponents' goal", WorldField::Type::number, {}},
+    {"truth", "ball_y", "m", "true position of the ball to the left", WorldField::Type::number, {}},
+    {"truth", "score", "", "number of times the ball rolled into the opponents' goal", WorldField::Type::number, {}},
+    {"truth",
+     "score_of_opponents",
+     "",
+     "number of times the ball rolled into the own goal",
+     WorldField::Type::number,
+     {}},
 }};
 
 /// Throws std::runtime_error with one line for an unknown name.
@@ -82,6 +94,8 @@ std::string_view to_string(OperatorAction::Kind kind) {
       return "set_input";
     case OperatorAction::Kind::report_action:
       return "report_action";
+    case OperatorAction::Kind::put_ball:
+      return "put_ball";
   }
   return "";
 }
@@ -110,6 +124,8 @@ std::span<const ScriptFunction> ScenarioLanguage::functions() const {
       script_function<&A::pick_up>("operator.pick_up", {}, "Lifts the robot."),
       script_function<&A::put_down>("operator.put_down", {"x", "y", "rotation"},
                                     "Places the robot at this pose (m, m, rad), upright and standing."),
+      script_function<&A::put_ball>("operator.put_ball", {"x", "y"},
+                                    "Places the ball at this position (m), at rest. No effect without a ball."),
       script_function<&A::push_over>("operator.push_over", {}, "Makes the robot fall."),
       script_function<&A::penalize>("operator.penalize", {"penalized"}, "Penalizes the robot, or ends the penalty."),
       script_function<&A::set_game_state>(
@@ -189,6 +205,10 @@ void ScenarioActions::set_initial_pose(double x, double y, double rotation) {
   act({OperatorAction::Kind::set_initial_pose, settable_pose("operator.set_initial_pose", x, y, rotation), 0.0, false});
 }
 
+void ScenarioActions::put_ball(double x, double y) {
+  act({OperatorAction::Kind::put_ball, settable_pose("operator.put_ball", x, y, 0.0), 0.0, false});
+}
+
 const ActionStatus& ScenarioActions::status_of(std::string_view name) const {
   return application_->actions[action_named(*application_->declared, name)];
 }
@@ -258,27 +278,67 @@ void ScenarioActions::judge(bool succeeded, std::string_view text) {
   if (!verdict_) verdict_ = ScenarioVerdict{succeeded, std::string(text), time()};
 }
 
-void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth, std::vector<double>& values) {
+void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth,
+                           const std::optional<BallTruth>& ball, std::vector<double>& values) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   append_world(world, values);
   if (truth) {
     values.insert(values.end(), {truth->pose.position.x(), truth->pose.position.y(), truth->pose.rotation,
                                  truth->fallen ? 1.0 : 0.0, truth->carried ? 1.0 : 0.0});
   } else {
-    values.insert(values.end(), kTruthFields.size(), std::numeric_limits<double>::quiet_NaN());
+    values.insert(values.end(), kTruthFields.size() - kBallFields, kUnknown);
+  }
+  if (ball) {
+    values.insert(values.end(), {ball->position.x(), ball->position.y(), static_cast<double>(ball->goals),
+                                 static_cast<double>(ball->opponents_goals)});
+  } else {
+    values.insert(values.end(), kBallFields, kUnknown);
   }
 }
 
-void write_truth(GroundTruth& truth, std::string_view name, const WorldValue& value) {
+namespace {
+
+/// Returns false for a field that is not of the robot.
+bool write_robot(GroundTruth& truth, std::string_view name, double number) {
+  if (name == "x") {
+    truth.pose.position.x() = number;
+  } else if (name == "y") {
+    truth.pose.position.y() = number;
+  } else if (name == "rotation") {
+    truth.pose.rotation = number;
+  } else if (name == "fallen") {
+    truth.fallen = number != 0.0;
+  } else if (name == "carried") {
+    truth.carried = number != 0.0;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void write_ball(BallTruth& ball, std::string_view name, double number) {
+  constexpr double kMostGoals = 1000.0;
+  if (name == "ball_x") ball.position.x() = number;
+  if (name == "ball_y") ball.position.y() = number;
+  if (name == "score") ball.goals = static_cast<int>(std::clamp(number, 0.0, kMostGoals));
+  if (name == "score_of_opponents") ball.opponents_goals = static_cast<int>(std::clamp(number, 0.0, kMostGoals));
+}
+
+}  // namespace
+
+void write_truth(std::optional<GroundTruth>& truth, std::optional<BallTruth>& ball, std::string_view name,
+                 const WorldValue& value) {
   std::vector<std::string> known;
   for (const WorldField& field : kTruthFields) {
     known.push_back(field.full_name());
     if (field.name != name) continue;
     const double number = checked_value(field, value);
-    if (name == "x") truth.pose.position.x() = number;
-    if (name == "y") truth.pose.position.y() = number;
-    if (name == "rotation") truth.pose.rotation = number;
-    if (name == "fallen") truth.fallen = number != 0.0;
-    if (name == "carried") truth.carried = number != 0.0;
+    GroundTruth changed = truth.value_or(GroundTruth());
+    if (write_robot(changed, name, number)) {
+      truth = changed;
+    } else {
+      write_ball(ball ? *ball : ball.emplace(), name, number);
+    }
     return;
   }
   const std::string wanted = "truth." + std::string(name);

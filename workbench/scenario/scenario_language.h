@@ -35,12 +35,13 @@ struct OperatorAction {
     stop_game,
     set_kick_off,
     set_input,
-    report_action
+    report_action,
+    put_ball
   };
-  friend constexpr int enum_count(Kind) { return 14; }
+  friend constexpr int enum_count(Kind) { return 15; }
 
   Kind kind = Kind::pick_up;
-  Pose2 pose;              ///< of put_down, set_initial_pose
+  Pose2 pose;              ///< of put_down, set_initial_pose; of put_ball the position
   double stops = 0.0;      ///< of set_exposure_compensation
   bool penalized = false;  ///< of penalize
   Message message{};       ///< of tell_message
@@ -83,6 +84,7 @@ class ScenarioActions : public ScriptActions {
 
   void pick_up() { act({OperatorAction::Kind::pick_up, {}, 0.0, false}); }
   void put_down(double x, double y, double rotation);
+  void put_ball(double x, double y);
   void push_over() { act({OperatorAction::Kind::push_over, {}, 0.0, false}); }
   void penalize(bool penalized) { act({OperatorAction::Kind::penalize, {}, 0.0, penalized}); }
   void set_game_state(std::string_view state);
@@ -138,10 +140,12 @@ class ScenarioLanguage : public ScriptLanguage {
   ScenarioActions actions_;
 };
 
-/// Appends the values of the language's fields; NaN without truth.
-void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth, std::vector<double>& values);
+/// Appends the values of the language's fields; NaN for what is unknown.
+void append_scenario_world(const World& world, const std::optional<GroundTruth>& truth,
+                           const std::optional<BallTruth>& ball, std::vector<double>& values);
 
 /// For tests: as write_world(), for the table `truth`.
-void write_truth(GroundTruth& truth, std::string_view name, const WorldValue& value);
+void write_truth(std::optional<GroundTruth>& truth, std::optional<BallTruth>& ball, std::string_view name,
+                 const WorldValue& value);
 
 }  // namespace reorient

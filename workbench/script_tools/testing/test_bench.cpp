@@ -268,8 +268,7 @@ int TestBench::set_world(lua_State* L) {
         throw std::runtime_error("set_world: expected a number, a string, true or false");
       }
       if (table == "truth") {
-        if (!truth_) truth_.emplace();
-        write_truth(*truth_, lua_tostring(L, -2), value);
+        write_truth(truth_, ball_, lua_tostring(L, -2), value);
       } else {
         const bool was_known = world().pose_known;
         fake_world_.set(table, lua_tostring(L, -2), value);
@@ -364,7 +363,7 @@ void TestBench::step() {
     scripts.host().read_published(published_);
     recorded_.show(names, statuses_, published_, world.time);
     application_record_.take(application_);
-    const ScenarioRecord& record = scenario_->tick({world, application_record_, truth_});
+    const ScenarioRecord& record = scenario_->tick({world, application_record_, truth_, ball_});
     seen_.note_scenario(record);
     trace_.note(scenario_->machines(), *record.names, record.transitions);
   }

@@ -148,6 +148,7 @@ class TestBench {
   ApplicationRecord application_record_;  ///< as the scenario sees it
   std::vector<StartedAction> started_;    ///< since the last advance() began
   std::optional<GroundTruth> truth_;
+  std::optional<BallTruth> ball_;
   std::unique_ptr<Behaviors> behaviors_;
   RecordedBehaviors recorded_;  ///< the behaviors as the scenario sees them
   std::unique_ptr<ScenarioHost> scenario_;
