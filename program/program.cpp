@@ -73,11 +73,11 @@ int parse_and_run(int argc, const char* const* argv, std::ostream& out, std::ost
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   app.set_version_flag("--version", "reorient " REORIENT_VERSION, "print the version and exit");
-  const std::array subcommands{add_run(app),    add_test(app),      add_experiment(app),  add_model(app),
-                               add_check(app),  add_new(app),       add_list(app),        add_params(app),
-                               add_graph(app),  add_reference(app), add_calibrate(app),   add_look(app),
-                               add_replay(app), add_recording(app), add_record_test(app), add_room(app),
-                               add_help(app),   add_version(app),   add_complete(app)};
+  const std::array subcommands{add_run(app),    add_game(app),   add_test(app),      add_experiment(app),
+                               add_model(app),  add_check(app),  add_new(app),       add_list(app),
+                               add_params(app), add_graph(app),  add_reference(app), add_calibrate(app),
+                               add_look(app),   add_replay(app), add_recording(app), add_record_test(app),
+                               add_room(app),   add_help(app),   add_version(app),   add_complete(app)};
   for (CLI::Option* option : app.get_options()) option->group("Global options");
   set_examples(app,
                {{"reorient run", "the demonstration: a robot notices that its belief is mirrored"},

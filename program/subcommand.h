@@ -24,6 +24,7 @@ Subcommand add_experiment(CLI::App& program);
 Subcommand add_calibrate(CLI::App& program);
 Subcommand add_check(CLI::App& program);
 Subcommand add_complete(CLI::App& program);
+Subcommand add_game(CLI::App& program);
 Subcommand add_graph(CLI::App& program);
 Subcommand add_help(CLI::App& program);
 Subcommand add_list(CLI::App& program);
