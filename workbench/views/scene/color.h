@@ -58,7 +58,7 @@ inline constexpr Color ball{255, 140, 0};
 inline constexpr Color obstacle{255, 96, 32};
 inline constexpr Color boundary{255, 225, 40};
 inline constexpr Color horizon{190, 120, 255};
-inline constexpr Color expected{255, 64, 64, 0.9};  ///< prediction of the believed pose in the image
+inline constexpr Color expected = belief.with_opacity(0.9);  ///< prediction of the believed pose in the image
 inline constexpr Color tile_outline{255, 255, 255, 0.9};
 
 // Bands that show the status of the room over time, behind dark text.

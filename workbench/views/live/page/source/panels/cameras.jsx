@@ -104,7 +104,7 @@ function Cameras() {
       <button
         class="chip over"
         aria-pressed={settings.annotations}
-        title="Cyan: detected. Red: expected at the believed pose."
+        title="Cyan: detected. Blue: expected at the believed pose."
         onClick={() => set({ annotations: !settings.annotations })}
       >
         overlay
