@@ -23,7 +23,7 @@ export class Connection {
     this.nextId = 1;
     this.retry = FIRST_RETRY;
     this.lastHeard = 0;
-    this.reason = ""; // of the last end of the connection
+    this.reason = ""; // that the robot gave when it ended the connection, until a robot answers
     this.watch = setInterval(() => this.checkSilence(), 1000);
     this.open();
   }
@@ -60,7 +60,7 @@ export class Connection {
       call.reject(new Error("the connection was closed"));
     }
     this.calls.clear();
-    this.reason = reason;
+    if (reason) this.reason = reason; // a failed retry has none
     this.setState("closed");
     this.timer = setTimeout(() => this.open(), this.retry);
     this.retry = Math.min(LONGEST_RETRY, this.retry + 500);
@@ -92,6 +92,7 @@ export class Connection {
     if (op === "serverInfo") {
       this.server = message;
       this.retry = FIRST_RETRY;
+      this.reason = "";
       this.listener("server", message);
       this.setState("open");
     } else if (op === "advertise") {
