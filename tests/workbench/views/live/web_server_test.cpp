@@ -15,6 +15,7 @@
 #include "tests/waiting.h"
 #include "tests/workbench/views/live/test_viewer.h"
 #include "workbench/views/live/protocol/foxglove_protocol.h"
+#include "workbench/views/live/server/compression.h"
 
 namespace reorient::live {
 namespace {
@@ -80,6 +81,24 @@ TEST_F(ServedPage, HasASafeHead) {
   EXPECT_EQ(response.find("unsafe-eval"), std::string::npos);
   EXPECT_TRUE(get("/?token=x").starts_with("HTTP/1.1 200 ")) << "the page itself is no secret";
   EXPECT_TRUE(get("/", "Host: localhost\r\n", "HEAD").ends_with("\r\n\r\n"));
+}
+
+TEST_F(ServedPage, IsCompressedForABrowserThatAcceptsIt) {
+  const std::string compressed = gzip(page.text);
+  page.gzip = compressed;
+  start();
+  for (const char* accepted : {"gzip", "deflate, gzip;q=1.0, *;q=0.5", "br , GZIP ; q=0.1"}) {
+    const std::string response = get("/", std::string("Host: localhost\r\nAccept-Encoding: ") + accepted + "\r\n");
+    EXPECT_TRUE(response.ends_with("\r\n\r\n" + compressed)) << accepted;
+    EXPECT_NE(response.find("\r\nContent-Encoding: gzip\r\n"), std::string::npos) << accepted;
+    EXPECT_NE(response.find("\r\nVary: Accept-Encoding\r\n"), std::string::npos) << accepted;
+    EXPECT_NE(response.find("\r\nContent-Length: " + std::to_string(compressed.size()) + "\r\n"), std::string::npos);
+  }
+  for (const char* accepted : {"identity", "gzip;q=0", "", ";;,,;q=1", "gzipped", "*"}) {
+    const std::string response = get("/", std::string("Host: localhost\r\nAccept-Encoding: ") + accepted + "\r\n");
+    EXPECT_TRUE(response.ends_with("\r\n\r\n<p>page")) << accepted;
+    EXPECT_EQ(response.find("Content-Encoding"), std::string::npos) << accepted;
+  }
 }
 
 TEST_F(ServedPage, IsTheOnlyFile) {

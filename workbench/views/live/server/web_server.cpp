@@ -21,6 +21,7 @@
 #include "engine/parameters/utf8.h"
 #include "workbench/run/batch_thread.h"
 #include "workbench/views/live/protocol/foxglove_protocol.h"
+#include "workbench/views/live/server/compression.h"
 #include "workbench/views/live/server/sockets.h"
 
 namespace reorient::live {
@@ -59,11 +60,14 @@ RequestHead head_of(const mg_connection* connection) {
   return head;
 }
 
-int respond(mg_connection* connection, int code, std::string_view type, std::string_view text, bool with_text) {
+/// `more`: headers, each with its line end.
+int respond(mg_connection* connection, int code, std::string_view type, std::string_view text, bool with_text,
+            std::string_view more = "") {
   const std::string head =
       "HTTP/1.1 " + std::to_string(code) + ' ' + mg_get_response_code_text(connection, code) +
-      "\r\nContent-Type: " + std::string(type) + "\r\nContent-Length: " + std::to_string(text.size()) +
-      "\r\nCache-Control: no-store\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n"
+      "\r\nContent-Type: " + std::string(type) + "\r\nContent-Length: " + std::to_string(text.size()) + "\r\n" +
+      std::string(more) +
+      "Cache-Control: no-store\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n"
       "X-Frame-Options: DENY\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n"
       "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
       "img-src 'self' data: blob:; base-uri 'none'; form-action 'none'; "
@@ -71,6 +75,13 @@ int respond(mg_connection* connection, int code, std::string_view type, std::str
   mg_write(connection, head.data(), head.size());
   if (with_text && !text.empty()) mg_write(connection, text.data(), text.size());
   return code;
+}
+
+int respond(mg_connection* connection, const ServedFile& file, bool with_text) {
+  constexpr std::string_view kVaries = "Vary: Accept-Encoding\r\n";
+  if (file.gzip.empty() || !accepts_gzip(header(connection, "Accept-Encoding")))
+    return respond(connection, 200, file.type, file.text, with_text, kVaries);
+  return respond(connection, 200, file.type, file.gzip, with_text, "Content-Encoding: gzip\r\n" + std::string(kVaries));
 }
 
 void send_messages(int socket, ViewerMailbox& mailbox) {
@@ -169,7 +180,7 @@ int WebServer::Parts::begin_request(mg_connection* connection) const {
   }
   const ServedFile* const file = find(head.path);
   if (file == nullptr) return refuse_request(404, "unknown path; the page is at /");
-  return respond(connection, 200, file->type, file->text, with_text);
+  return respond(connection, *file, with_text);
 }
 
 /// On the thread of the connection, after the handshake, until the viewer is gone.

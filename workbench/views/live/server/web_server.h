@@ -25,6 +25,7 @@ class ViewerSession {
 
 struct ServedFile {
   std::string_view type, text;
+  std::string_view gzip{};  ///< the same text, compressed; empty: not compressed
 };
 
 struct WebServerOptions {
