@@ -52,6 +52,16 @@ test("messages of one time are one frame", () => {
   assert.equal(store.frames[1].parts["/camera/upper/image"].bytes.length, 300);
 });
 
+test("machines of the scenario are known by name until another run begins", () => {
+  const store = filled(1);
+  const machine = (name, scenario) => ({ name, state: "a", seconds: 1, stopped: false, errors: 0, scenario });
+  store.receive("/machines", 0, encode({ machines: [machine("orientation", false), machine("patrol", true)] }));
+  assert.deepEqual([...store.scenario], ["patrol"]);
+  assert.equal(store.bands.get("patrol").at(-1).value, "a");
+  store.clear();
+  assert.equal(store.scenario.size, 0);
+});
+
 test("the live view shows the last complete frame", () => {
   const store = filled(3);
   assert.equal(store.shown().evidence, 1);

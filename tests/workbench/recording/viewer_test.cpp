@@ -154,6 +154,25 @@ TEST(ViewerMessages, ContainTheEvidenceOfEachTileAndTheFitOfTheTilesInView) {
   EXPECT_EQ(message_of(frame, ViewerTopic::room)["sum"], -0.5);
 }
 
+TEST(ViewerMessages, ContainTheMachinesOfTheBehaviorsAndOfTheScenario) {
+  FrameRecord frame;
+  frame.world.time = 5.0;
+  frame.names = std::make_shared<NameTable>(NameTable{{"", "orientation", "watching"}});
+  frame.machines = {{1, 2, 3.0, false, 0}};
+  SceneTruth scene;
+  scene.scenario.names = std::make_shared<NameTable>(NameTable{{"", "mirrored_placement", "carrying"}});
+  scene.scenario.machines = {{1, 2, 4.5, true, 2}, {1, 999, 0.0, false, 0}};
+  Json found;
+  ViewerMessages().add({frame, frame, scene, {}, true}, [&](ViewerTopic topic, std::string_view text) {
+    if (topic == ViewerTopic::machines) found = Json::parse(text);
+  });
+  EXPECT_EQ(misfit(found, Json::parse(schema_text("reorient.Machines"))), "");
+  EXPECT_EQ(found["machines"], Json::parse(R"([
+    {"name":"orientation","state":"watching","seconds":2.0,"stopped":false,"errors":0,"scenario":false},
+    {"name":"mirrored_placement","state":"carrying","seconds":0.5,"stopped":true,"errors":2,"scenario":true},
+    {"name":"mirrored_placement","state":"","seconds":5.0,"stopped":false,"errors":0,"scenario":true}])"));
+}
+
 TEST(ViewerMessages, DrawRejectedFeaturesTranslucent) {
   FrameRecord frame;
   frame.filled = Topics::all();

@@ -112,11 +112,15 @@ void FrameTasks::describe_machine(const std::string& name, FrameAnswer& answer) 
     return;
   }
   std::vector<std::string> names;
-  for (const MachineDefinition* const machine : engine->machines()) {
-    if (machine->name == name)
-      answer.machine = std::make_shared<const RunningMachine>(RunningMachine{*machine, engine->scripts()});
-    names.push_back(machine->name);
-  }
+  const auto find = [&](const std::vector<const MachineDefinition*>& machines, const ScriptTexts& texts) {
+    for (const MachineDefinition* const machine : machines) {
+      if (machine->name == name && !answer.machine)
+        answer.machine = std::make_shared<const RunningMachine>(RunningMachine{*machine, texts});
+      names.push_back(machine->name);
+    }
+  };
+  find(engine->machines(), engine->scripts());
+  if (subject_.scenario != nullptr) find(subject_.scenario->machines(), subject_.scenario->host().texts());
   if (!answer.machine) answer.failure = as_line("unknown machine '" + as_line(name) + "'" + did_you_mean(name, names));
 }
 

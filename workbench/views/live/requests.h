@@ -47,7 +47,7 @@ struct ReloadScripts {
 struct AskPrompt {
   std::vector<std::string> words;
 };
-/// The definition of a behavior's machine, as it runs.
+/// The definition of a machine of a behavior or of the scenario, as it runs.
 struct DescribeMachine {
   std::string name;
 };

@@ -85,7 +85,8 @@ inline constexpr std::array<ServiceRow, kServiceCount> kServices{{
     {Service::why, "why", false, "transitions of a behavior's state, and what their conditions lack",
      R"({"machine":"orientation"})", R"({"text":"..."})"},
     {Service::machine, "machine", false,
-     "definition of a running behavior: its states, and its transitions with the world fields that their conditions "
+     "definition of a running behavior or of the scenario: its states, and its transitions with the world fields that "
+     "their conditions "
      "read; `time` is that of the frame",
      R"({"machine":"orientation"})",
      R"({"time":12.5,"machine":{"name":"orientation","file":"behaviors/orientation.lua","line":52,"scenario":false,"states":[{"path":"watching","name":"watching","outer":0,"initial":3,"history":false,"publishes":"","file":"behaviors/orientation.lua","line":61}],"transitions":[{"from":2,"to":4,"reason":"...","common":false,"when":true,"lasting":"hold_time","after":"","file":"behaviors/orientation.lua","line":63,"maker":"","reads":["confidence.status"]}]}})"},

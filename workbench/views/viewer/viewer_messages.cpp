@@ -63,15 +63,20 @@ Json world_json(const FrameRecord& frame) {
   return json;
 }
 
-Json machines_json(const FrameRecord& frame) {
+Json machines_json(const FrameRecord& frame, const ScenarioRecord& scenario) {
   Json machines = Json::array(), published = Json::array();
-  for (const MachineStatus& machine : frame.machines) {
-    machines.push_back({{"name", frame.name(machine.machine)},
-                        {"state", frame.name(machine.state)},
-                        {"seconds", frame.world.time - machine.entered_at},
-                        {"stopped", machine.stopped},
-                        {"errors", machine.errors}});
-  }
+  const auto add = [&](const std::vector<MachineStatus>& all, const NameTable& names, bool of_scenario) {
+    for (const MachineStatus& machine : all) {
+      machines.push_back({{"name", names[machine.machine]},
+                          {"state", names[machine.state]},
+                          {"seconds", frame.world.time - machine.entered_at},
+                          {"stopped", machine.stopped},
+                          {"errors", machine.errors},
+                          {"scenario", of_scenario}});
+    }
+  };
+  add(frame.machines, *frame.names, false);
+  add(scenario.machines, *scenario.names, true);
   for (const NameId flag : frame.published) published.push_back(frame.name(flag));
   return {{"machines", std::move(machines)}, {"published", std::move(published)}};
 }
@@ -251,7 +256,7 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
                                                          : std::span<const FeatureFits>());
   });
   send(ViewerTopic::world, [&] { return world_json(frame); });
-  send(ViewerTopic::machines, [&] { return machines_json(frame); });
+  send(ViewerTopic::machines, [&] { return machines_json(frame, scene_truth.scenario); });
   send(ViewerTopic::request, [&] { return request_json(frame); });
   if (is_wanted(ViewerTopic::events)) {
     for (const TimelineEvent& event : timeline_events(frame, scene_truth))

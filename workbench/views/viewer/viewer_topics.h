@@ -77,7 +77,8 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
      "the same as /camera/upper/annotations, of the lower camera"},
     {ViewerTopic::world, "/world", "reorient.World",
      "world fields that behaviors read: pose, confidences, evidence, posture, game"},
-    {ViewerTopic::machines, "/machines", "reorient.Machines", "state of each state machine; published flags"},
+    {ViewerTopic::machines, "/machines", "reorient.Machines",
+     "state of each state machine, also of the scenario; published flags"},
     {ViewerTopic::conditions, "/conditions", "reorient.Conditions",
      "possible transitions of each state machine, and how long their conditions have held; in recordings five times a "
      "second"},

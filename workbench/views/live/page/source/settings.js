@@ -24,6 +24,7 @@ const DEFAULTS = {
   wall: "strip", // or ring
   span: 60, // s, of the timeline
   machines: ["orientation", "background_training"], // bands of the timeline
+  scenario: true, // the states of the scenario are bands of the timeline, too
   pinned: [
     "clock.time",
     "pose.x",

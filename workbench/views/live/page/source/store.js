@@ -88,6 +88,7 @@ export class Store {
     this.events = [];
     this.log = [];
     this.bands = new Map(); // "status" or the name of a machine: [{time, value}], one entry a change
+    this.scenario = new Set(); // names of the machines of the scenario
     this.lasting = new Map(); // topic: message
     this.parsed = new Map();
     this.instant = null; // s; null: live
@@ -130,7 +131,10 @@ export class Store {
     let part = payload;
     if (topic === "/world") this.takeWorld(frame, readJson(payload));
     if (topic === "/machines")
-      for (const machine of readJson(payload).machines) this.addBand(machine.name, time, machine.state);
+      for (const { name, state, scenario } of readJson(payload).machines) {
+        this.addBand(name, time, state);
+        if (scenario) this.scenario.add(name);
+      }
     if (topic === "/truth/pose") {
       const { position, orientation } = readJson(payload).pose;
       frame.truth = { x: position.x, y: position.y, rotation: 2 * Math.atan2(orientation.z, orientation.w) };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One behavior: its states as a graph, its open transitions, and its last events.
 import { duration, seconds } from "../format.js";
-import { canCall, store, whyGone } from "../robot.js";
+import { canCall, isReplay, store, whyGone } from "../robot.js";
 import { set, settings } from "../settings.js";
 import { choice, choose, toggleGraph, useFocus } from "./choice.js";
 import { definitionAt } from "./definitions.js";
 import { StateGraph } from "./graph.jsx";
-import { Cost, Fault, Place, nameText, stateText } from "./parts.jsx";
+import { Cost, Fault, Place, ScenarioMark, nameText, stateText } from "./parts.jsx";
 import { Transitions } from "./transitions.jsx";
 import { declaredTransitions, eventsOf, isWithin, openTransitions, pathText, transitionOf } from "./view.js";
 
@@ -47,15 +47,15 @@ function Events({ name, until }) {
   );
 }
 
-function BandChoice({ name }) {
-  const isBand = settings.machines.includes(name);
-  const toggle = () =>
-    set({ machines: isBand ? settings.machines.filter((it) => it !== name) : [...settings.machines, name] });
+function BandChoice({ machine: { name, scenario } }) {
+  const isBand = scenario ? settings.scenario : settings.machines.includes(name);
+  const others = settings.machines.filter((it) => it !== name);
+  const toggle = () => set(scenario ? { scenario: !isBand } : { machines: isBand ? others : [...others, name] });
   return (
     <button
       class="chip small"
       aria-pressed={isBand}
-      title="Show the states of this behavior in the timeline"
+      title="Show these states in the timeline"
       onClick={toggle}
     >
       show in the timeline
@@ -78,6 +78,7 @@ function Head({ machine }) {
       <h2 class="chosen-name" ref={title} tabIndex={-1}>
         {nameText(machine.name)}
       </h2>
+      {machine.scenario && <ScenarioMark />}
       <span class="state grow">{stateText(machine)}</span>
       <span class="value">{duration(machine.seconds)}</span>
       <button
@@ -92,8 +93,15 @@ function Head({ machine }) {
   );
 }
 
-/// The state whose transitions are listed, and these: {path, rows, isActive}. `open`: from the active states.
+/// The state whose transitions are listed, and these: {path, rows, isActive}. `open`: from the active states. The robot
+/// does not send the open transitions of a scenario, so these are the declared ones.
 function listedOf(machine, definition, open) {
+  if (machine.scenario && definition) {
+    const active = definition.states.findIndex(({ path }) => path === machine.state);
+    const shown = choice.state ?? active;
+    const { path = machine.state } = definition.states[shown] ?? {};
+    return { path, rows: declaredTransitions(definition, shown), isActive: path === machine.state };
+  }
   const state = definition?.states[choice.state];
   if (!state || state.path === machine.state) return { path: machine.state, rows: open, isActive: true };
   const { path } = state;
@@ -102,9 +110,16 @@ function listedOf(machine, definition, open) {
   return { path, rows: declaredTransitions(definition, choice.state), isActive: false };
 }
 
+/// A replay does not run the scenario.
+const isReplayed = (machine) => machine.scenario && isReplay();
+
 function Graph({ machine, definition, problem, listed, until }) {
   if (!definition) {
-    const offered = canCall("machine") ? problem || "Waiting for the states…" : "This robot does not send the states.";
+    const isOffered = canCall("machine") && !isReplayed(machine);
+    const missing = isReplayed(machine)
+      ? "A recording has the states of its scenario, but not their graph."
+      : "This robot does not send the states.";
+    const offered = isOffered ? problem || "Waiting for the states…" : missing;
     return <p class="soft pad">{whyGone() || offered}</p>;
   }
   const last = eventsOf(store.events, machine.name, until, SEARCHED).find((it) => it.kind === "transition");
@@ -126,7 +141,9 @@ function Graph({ machine, definition, problem, listed, until }) {
 
 /// machine: of /machines; cost: of meanCosts(); until: the shown instant.
 export function Chosen({ machine, cost, until }) {
-  const { definition, problem } = definitionAt(machine.name, until);
+  const { definition, problem } = isReplayed(machine)
+    ? { definition: null, problem: "" }
+    : definitionAt(machine.name, until);
   const found = store.read("/conditions");
   const open = openTransitions(found?.value.conditions ?? [], machine.name, definition);
   const listed = listedOf(machine, definition, open);
@@ -158,14 +175,14 @@ export function Chosen({ machine, cost, until }) {
               </button>
             )}
           </div>
-          {found || !isActive ? (
+          {(machine.scenario ? definition : found || !isActive) ? (
             <Transitions machine={machine.name} rows={rows} world={store.read("/world")?.value} />
           ) : (
             <p class="soft pad">The open transitions of this instant are not known.</p>
           )}
           <div class="row tight heading">
             <h3 class="grow">Last events</h3>
-            <BandChoice name={machine.name} />
+            <BandChoice machine={machine} />
           </div>
           <Events name={machine.name} until={until} />
           <div class="row tight heading">

@@ -8,6 +8,13 @@ import { faultOf, pathText } from "./view.js";
 export const nameText = (name) => name.replaceAll("_", " ");
 export const stateText = (machine) => (machine.stopped ? "stopped after an error" : pathText(machine.state));
 
+/// The sign of a machine that is not part of the robot.
+export const ScenarioMark = () => (
+  <span class="badge" title="The operator's script, which runs beside the robot. The robot knows nothing of it.">
+    scenario
+  </span>
+);
+
 /// A place in a script. It opens the script there if the robot shows its scripts.
 export function Place({ file, line, children }) {
   if (!file || !canCall("script")) return <span class="soft place">{children}</span>;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The behaviors that run now: state, time in it, the reason of the last change, cost, and faults with file and line. A
+// The behaviors that run now, and the scenario: state, time in it, the reason of the last change, cost, and faults with file and line. A
 // click on a name shows one of them.
 import "../behaviors/behaviors.css";
 import { choice, choose, useFocus } from "../behaviors/choice.js";
 import { Chosen } from "../behaviors/chosen.jsx";
-import { Cost, Fault, nameText, stateText } from "../behaviors/parts.jsx";
+import { Cost, Fault, ScenarioMark, nameText, stateText } from "../behaviors/parts.jsx";
 import { eventsOf, meanCosts } from "../behaviors/view.js";
 import { duration, fixed } from "../format.js";
 import { store } from "../robot.js";
@@ -31,6 +31,7 @@ function Machine({ machine, cost, until }) {
         <button class="plain name" ref={button} onClick={() => choose(machine.name)}>
           {nameText(machine.name)}
         </button>
+        {machine.scenario && <ScenarioMark />}
         <span class="state">{stateText(machine)}</span>
         <span class="value">{duration(machine.seconds)}</span>
       </div>
@@ -44,11 +45,13 @@ function Machine({ machine, cost, until }) {
 }
 
 function Summary({ machines, costs }) {
+  const count = machines.filter(({ scenario }) => !scenario).length;
   const sum = machines.reduce((all, { name }) => all + (costs.get(name)?.share ?? 0), 0);
   return (
     <p class="soft summary value">
-      {machines.length} {machines.length === 1 ? "behavior" : "behaviors"}
+      {count} {count === 1 ? "behavior" : "behaviors"}
       {costs.size > 0 && `, together ${fixed(100 * sum, 1)} % of a frame`}
+      {count < machines.length && ", and the scenario"}
     </p>
   );
 }

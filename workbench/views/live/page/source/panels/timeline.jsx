@@ -48,10 +48,12 @@ function hovered() {
   return from + view.pointer * (to - from);
 }
 
-/// The behaviors whose states are shown: the chosen ones that run, or the first two.
+/// The machines whose states are shown: the chosen behaviors that run, or the first two, and the scenario.
 function machines() {
   const chosen = settings.machines.filter((name) => store.bands.has(name));
-  return chosen.length ? chosen : [...store.bands.keys()].filter((name) => name !== "status").slice(0, 2);
+  const isBehavior = (name) => name !== "status" && !store.scenario.has(name);
+  const behaviors = chosen.length ? chosen : [...store.bands.keys()].filter(isBehavior).slice(0, 2);
+  return settings.scenario ? [...behaviors, ...store.scenario] : behaviors;
 }
 
 function Readout() {
