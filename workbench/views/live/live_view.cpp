@@ -108,8 +108,19 @@ void LiveView::hand_over(std::vector<FrameAnswer>& answers) {
   wake_.notify_one();
 }
 
+/// Between two frames of a run or a replay that is paused.
+void LiveView::show_last_frame() {
+  viewers_.set_still(live::to_nanoseconds(last_time_));
+  if (!is_copied_ || !viewers_.take_late_subscriber()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    shows_again_ = true;
+  }
+  wake_.notify_one();
+}
+
 void LiveView::add_to(FrameInputs& inputs) {
-  viewers_.set_still(false);
+  viewers_.set_still(live::Viewers::kMoving);
   if (!has_room_for_answers()) return;
   while (tasks_.pending() < kMostTasks) {
     std::optional<live::FrameRequest> request = requests_.take();
@@ -119,7 +130,7 @@ void LiveView::add_to(FrameInputs& inputs) {
 }
 
 void LiveView::add_while_paused(FrameInputs& inputs, const FrameRecord& last, const SceneTruth& scene) {
-  viewers_.set_still(true);
+  show_last_frame();
   for (std::size_t i = 0; i < kMostTasks && has_room_for_answers(); ++i) {
     std::optional<live::FrameRequest> request = requests_.take();
     if (!request) break;
@@ -163,7 +174,11 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
   if (is_kept_) tasks_.subject().what_if->memory().before(inputs, engine);
   wanted_ = tasks_.wanted();
   const ViewerTopics topics = due_topics(inputs);
-  if (topics.none()) return;
+  const RunControls* const controls = tasks_.subject().controls;
+  // A viewer may connect after the frame, and before the next one.
+  const bool may_stay = controls == nullptr ? options_.data_start.has_value() : controls->pace().is_paused();
+  is_copied_ = topics.any() || may_stay;
+  if (!is_copied_) return;
   if (!copy_) {
     const std::lock_guard lock(mutex_);
     copy_ = frames_waiting_.get_free();
@@ -177,15 +192,19 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
   if (has(ViewerTopic::wall) || has(ViewerTopic::room)) wanted_ = wanted_ | Topics{Topic::room};
   if (has(ViewerTopic::percepts)) wanted_ = wanted_ | Topics{Topic::feature_fits};
   if (has(ViewerTopic::parameters)) wanted_ = wanted_ | Topics{Topic::parameters};
-  copy_->has_image = {has(ViewerTopic::upper_image) || has(ViewerTopic::upper_annotations),
-                      has(ViewerTopic::lower_image) || has(ViewerTopic::lower_annotations)};
-  if (copy_->has_image[0]) copy_pixels(inputs.observation.upper->image, copy_->images[0]);
-  if (copy_->has_image[1]) copy_pixels(inputs.observation.lower->image, copy_->images[1]);
+  if (may_stay) wanted_ = wanted_ | kViewedTopics;
+  const auto copy_image = [&](std::size_t camera, const std::optional<CameraFrame>& seen, bool is_due) {
+    copy_->has_image[camera] = is_due || (may_stay && options_.jpeg_quality > 0 && seen && !seen->image.empty());
+    if (copy_->has_image[camera]) copy_pixels(seen->image, copy_->images[camera]);
+  };
+  copy_image(0, inputs.observation.upper, has(ViewerTopic::upper_image) || has(ViewerTopic::upper_annotations));
+  copy_image(1, inputs.observation.lower, has(ViewerTopic::lower_image) || has(ViewerTopic::lower_annotations));
 }
 
 void LiveView::observe(const FrameRecord& frame, const SceneTruth& scene) {
   if (is_kept_) tasks_.subject().what_if->memory().observe(frame, scene);
   tasks_.answer(frame, scene, answers_);
+  last_time_ = frame.world.time;
   if (viewers_.any_watches() && may_have_changed_parameters(frame, scene)) {
     FrameAnswer changed;
     changed.parameters = std::make_shared<const std::vector<Parameter>>(tasks_.subject().parameters());
@@ -208,6 +227,7 @@ void LiveView::observe(const FrameRecord& frame, const SceneTruth& scene) {
 }
 
 void LiveView::poll_without_frames(const std::string& reason) {
+  show_last_frame();
   for (std::size_t i = 0; i < kMostTasks; ++i) {
     {
       const std::lock_guard lock(mutex_);
@@ -227,7 +247,8 @@ void LiveView::make_messages() {
   become_batch_thread(kLiveNiceness);
   std::unique_lock lock(mutex_);
   while (true) {
-    wake_.wait(lock, [this] { return ends_ || !answers_waiting_.empty() || !frames_waiting_.is_empty(); });
+    wake_.wait(lock,
+               [this] { return ends_ || shows_again_ || !answers_waiting_.empty() || !frames_waiting_.is_empty(); });
     if (ends_) return;
     if (!answers_waiting_.empty()) {
       FrameAnswer answer = std::move(answers_waiting_.front());
@@ -238,16 +259,24 @@ void LiveView::make_messages() {
       continue;
     }
     std::unique_ptr<FrameCopy> copy = frames_waiting_.take();
+    if (!copy) shows_again_ = false;
     lock.unlock();
-    publish(*copy);
+    if (copy) {
+      made_ = copy->topics;
+      publish(*copy, copy->topics, copy->begins);
+      std::swap(last_, copy);
+    } else {
+      publish_again();
+    }
     lock.lock();
-    frames_waiting_.give_back(std::move(copy));
+    if (copy) frames_waiting_.give_back(std::move(copy));
   }
 }
 
-void LiveView::publish(const FrameCopy& copy) {
+void LiveView::publish(const FrameCopy& copy, ViewerTopics topics, bool begins) {
+  if (topics.none()) return;
   const FrameRecord frame = read_record(copy.record);
-  ViewedFrame viewed{frame, frame, copy.scene, {}, copy.begins, copy.topics};
+  ViewedFrame viewed{frame, frame, copy.scene, {}, begins, topics};
   for (std::size_t camera = 0; camera < copy.images.size(); ++camera)
     if (copy.has_image[camera]) viewed.images[camera] = copy.images[camera].view();
   const std::uint64_t time = live::to_nanoseconds(copy.time);
@@ -255,6 +284,14 @@ void LiveView::publish(const FrameCopy& copy) {
     viewers_.publish(topic, time, std::string(message));
   });
   viewers_.end_frame(time);
+}
+
+/// The messages of the last frame that late subscribers lack.
+void LiveView::publish_again() {
+  if (!last_) return;
+  const ViewerTopics missing = viewers_.subscribed() & ~moment_topics() & ~made_;
+  made_ |= missing;
+  publish(*last_, missing, true);
 }
 
 void LiveView::send(FrameAnswer answer) {

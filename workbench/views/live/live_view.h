@@ -19,6 +19,7 @@
 #include "workbench/views/live/frame_mailbox.h"
 #include "workbench/views/live/frame_tasks.h"
 #include "workbench/views/live/session.h"
+#include "workbench/views/viewer/viewer_messages.h"
 
 namespace reorient {
 
@@ -77,10 +78,12 @@ class LiveView : public InputSource, public Observer {
 
  private:
   bool has_room_for_answers() const;
+  void show_last_frame();
   void hand_over(std::vector<live::FrameAnswer>& answers);
   ViewerTopics due_topics(const FrameInputs& inputs);
   void make_messages();
-  void publish(const live::FrameCopy& copy);
+  void publish(const live::FrameCopy& copy, ViewerTopics topics, bool begins);
+  void publish_again();
   void send(live::FrameAnswer answer);
   void send_service_answer(live::FrameAnswer answer);
 
@@ -92,6 +95,8 @@ class LiveView : public InputSource, public Observer {
   std::unique_ptr<live::FrameCopy> copy_;  // of the coming frame; nullptr: nothing is copied
   Topics wanted_;
   std::uint64_t frames_ = 0;
+  double last_time_ = 0.0;             // s, of the last frame
+  bool is_copied_ = false;             // the last frame, for viewers
   bool is_kept_ = false;               // the coming frame, for what-if
   bool begins_ = false;                // a viewer needs the lasting messages
   const FrameLoop* engine_ = nullptr;  // whose application the viewers know
@@ -108,9 +113,12 @@ class LiveView : public InputSource, public Observer {
   std::condition_variable wake_;
   live::FrameMailbox frames_waiting_;
   std::deque<live::FrameAnswer> answers_waiting_;
-  bool ends_ = false;
+  bool ends_ = false, shows_again_ = false;
 
-  ViewerMessages messages_;  // of the thread
+  // Of the thread.
+  ViewerMessages messages_;
+  std::unique_ptr<live::FrameCopy> last_;  // the last frame
+  ViewerTopics made_;                      // messages that were made of it
   std::thread thread_;
   std::optional<live::WebServer> server_;
 };

@@ -104,9 +104,11 @@ std::string Viewers::subscribe(ViewerId id, const Subscribe::One& one) {
   viewer.subscriptions[*topic] = one.id;
   update_flags();
   const bool lasts = kViewerTopics[*topic].lasts;
-  if (!lasts && !is_still_.load(std::memory_order_relaxed)) return "";
-  if (last_[*topic].message) send_data(viewer, *topic, last_[*topic].time, last_[*topic].message);
+  const std::uint64_t still_at = still_at_.load(std::memory_order_relaxed);
+  const Last& last = last_[*topic];
+  if (last.message && (lasts || last.time == still_at)) send_data(viewer, *topic, last.time, last.message);
   if (lasts) has_new_subscriber_ = true;
+  if (still_at != kMoving) has_late_subscriber_ = true;
   return "";
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -39,12 +40,15 @@ class Viewers {
 
   // For the thread of the frames, without waiting.
   ViewerTopics subscribed() const { return ViewerTopics(subscribed_.load(std::memory_order_relaxed)); }
-  /// Whether no new messages come: then a new subscriber receives the last one of each topic. Any thread may call it.
-  void set_still(bool still) { is_still_.store(still, std::memory_order_relaxed); }
+  /// No frames come after the one at `time` (ns): a new subscriber receives its messages. kMoving: frames come.
+  void set_still(std::uint64_t time) { still_at_.store(time, std::memory_order_relaxed); }
+  static constexpr std::uint64_t kMoving = std::numeric_limits<std::uint64_t>::max();
   bool any() const { return any_.load(std::memory_order_relaxed); }
   bool any_watches() const { return any_watches_.load(std::memory_order_relaxed); }
   /// Whether a lasting topic has a new subscriber since the last call.
   bool take_new_subscriber() { return has_new_subscriber_.exchange(false, std::memory_order_relaxed); }
+  /// Whether a topic has a new subscriber since the last call, while no frames come.
+  bool take_late_subscriber() { return has_late_subscriber_.exchange(false, std::memory_order_relaxed); }
 
   /// Sends a message of a topic to its subscribers: at once, or with the frame to which it belongs. `time`: ns.
   void publish(ViewerTopic topic, std::uint64_t time, std::string message);
@@ -88,7 +92,8 @@ class Viewers {
   ViewerId next_ = 1;
   Counts gone_;
   std::atomic<unsigned long> subscribed_ = 0;
-  std::atomic<bool> is_still_ = false, any_ = false, any_watches_ = false, has_new_subscriber_ = false;
+  std::atomic<std::uint64_t> still_at_ = kMoving;
+  std::atomic<bool> any_ = false, any_watches_ = false, has_new_subscriber_ = false, has_late_subscriber_ = false;
 };
 
 }  // namespace reorient::live

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Viewers act as the operator, and set the pace of a run.
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,13 +25,14 @@ using Texts = std::vector<std::string>;
 /// A run whose loop is stepped by the test, with one viewer.
 class RunOfAViewer : public ::testing::Test {
  protected:
-  void start(bool has_operator = true, bool sets_pace = true, bool is_replay = false) {
+  void start(bool has_operator = true, bool sets_pace = true, bool is_replay = false,
+             std::optional<double> data_start = {}) {
     run.emplace(has_operator, sets_pace);
     LiveSubject subject;
     subject.parameters = [this] { return run->loop.engine->parameters(); };
     subject.scripts = folder.path();
     subject.controls = is_replay ? nullptr : &run->controls;
-    live.emplace(LiveViewOptions{.port = 0}, subject);
+    live.emplace(LiveViewOptions{.port = 0, .data_start = data_start}, subject);
     run_loop.emplace(run->parts({&*live}, {&*live}));
     viewer = connect(true);
     run_loop->step();
@@ -65,6 +67,20 @@ class RunOfAViewer : public ::testing::Test {
   }
   /// As the run loop in a pause.
   void poll() { live->add_while_paused(inputs_of_pause, run->loop.record(), run_loop->scene()); }
+  /// A message for a viewer that connects during a pause or in a paused replay. `rest`: a part of the pause that makes
+  /// it; empty: it was made for another viewer.
+  json shown_to_a_late_viewer(ViewerTopic topic, const std::function<void()>& rest) const {
+    const auto late = connect(false);
+    const auto channel = channel_of(static_cast<std::size_t>(topic));
+    late->send_json({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", channel}}}}});
+    if (rest) {
+      sync(*late);
+      rest();
+    }
+    const auto message =
+        late->await([](const Received& one) { return one.opcode == kBinaryFrame && one.data[0] == 1; });
+    return message ? json::parse(message->data.substr(13)) : json();
+  }
   std::string failure(Service service, const json& request) { return answer(service, request).value("message", ""); }
   /// Why a request is refused before it reaches the run.
   std::string refusal(Service service, const json& request) {
@@ -220,6 +236,31 @@ TEST_F(RunOfAViewer, AnswersWhileItIsPaused) {
   EXPECT_EQ(run->robot->done, (Texts{"pick_up"}));
   EXPECT_FALSE(run->controls.pace().permits_frame());
   EXPECT_EQ(answer_in_pause(Service::pace, {{"action", "resume"}})["paused"], false);
+}
+
+TEST_F(RunOfAViewer, ShowsTheLastFrameToViewersThatConnectDuringAPause) {
+  start();
+  answer(Service::pace, {{"action", "pause"}});
+  poll();
+  for (const ViewerTopic topic : {ViewerTopic::world, ViewerTopic::field, ViewerTopic::upper_image, ViewerTopic::wall,
+                                  ViewerTopic::pose_particles, ViewerTopic::parameters, ViewerTopic::machines}) {
+    EXPECT_TRUE(shown_to_a_late_viewer(topic, [this] { poll(); }).is_object()) << info(topic).name;
+    EXPECT_TRUE(shown_to_a_late_viewer(topic, {}).is_object()) << info(topic).name << " again";
+  }
+  run->controls.take_frames(1);
+  run_loop->step();
+  poll();
+  EXPECT_EQ(shown_to_a_late_viewer(ViewerTopic::world, [this] { poll(); })["clock"]["frame"],
+            run->loop.record().world.frame);
+}
+
+TEST_F(RunOfAViewer, ShowsTheLastFrameToViewersThatConnectToAPausedReplay) {
+  start(true, true, true, 0.0);
+  run_loop->step();
+  const auto rest = [this] { live->poll_without_frames("the replay is paused; play it first"); };
+  rest();
+  for (const ViewerTopic topic : {ViewerTopic::world, ViewerTopic::upper_image, ViewerTopic::wall})
+    EXPECT_TRUE(shown_to_a_late_viewer(topic, rest).is_object()) << info(topic).name;
 }
 
 TEST_F(RunOfAViewer, SaysOnceThatChangesOfAPauseWaitForTheNextFrame) {
