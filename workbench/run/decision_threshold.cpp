@@ -19,15 +19,24 @@ std::optional<double> number_of(const std::vector<Parameter>& parameters, std::s
   return std::get<double>(found->value);
 }
 
+/// `chances`: the parameter with the number of chances per hour for a wrong decision.
+double threshold_of(const std::vector<Parameter>& parameters, std::string_view chances) {
+  const std::optional<double> number = number_of(parameters, chances);
+  const std::optional<double> false_flips = number_of(parameters, "decision.false_flips");
+  const std::optional<double> least = number_of(parameters, "decision.least");
+  if (!number || !false_flips || !least) return 0.0;
+  const double threshold = std::max(*least, pinned::log(*number / *false_flips));
+  return std::isfinite(threshold) ? threshold : 0.0;
+}
+
 }  // namespace
 
 double unconfirmed_threshold(const std::vector<Parameter>& parameters) {
-  const std::optional<double> disturbances = number_of(parameters, "decision.disturbances");
-  const std::optional<double> false_flips = number_of(parameters, "decision.false_flips");
-  const std::optional<double> least = number_of(parameters, "decision.least");
-  if (!disturbances || !false_flips || !least) return 0.0;
-  const double threshold = std::max(*least, pinned::log(*disturbances / *false_flips));
-  return std::isfinite(threshold) ? threshold : 0.0;
+  return threshold_of(parameters, "decision.disturbances");
+}
+
+double confirmed_threshold(const std::vector<Parameter>& parameters) {
+  return threshold_of(parameters, "decision.looks");
 }
 
 void DecisionThreshold::observe(const FrameRecord& frame) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The threshold of the evidence at which the shipped behaviors decide, for views of a run.
+// The thresholds of the evidence at which the shipped behaviors decide, for views of a run.
 #pragma once
 
 #include <vector>
@@ -12,6 +12,8 @@ namespace reorient {
 /// The threshold of an unconfirmed pose in log-odds, as scripts/lib/decision.lua computes it. 0 if its parameters are
 /// missing, because no script uses them.
 double unconfirmed_threshold(const std::vector<Parameter>& parameters);
+/// The same for a confirmed pose.
+double confirmed_threshold(const std::vector<Parameter>& parameters);
 
 /// Follows the threshold during a run. Observers that use it request kTopic.
 class DecisionThreshold {

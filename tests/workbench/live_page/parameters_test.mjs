@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The parameters of the page: answers of the robot, undo, differences and thresholds.
+// The parameters of the page: answers of the robot, undo and differences.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { Parameters, thresholds } from "../../../workbench/views/live/page/source/parameters.js";
+import { Parameters } from "../../../workbench/views/live/page/source/parameters.js";
 import { thought } from "../../../workbench/views/live/page/source/sentence.js";
 import { Store } from "../../../workbench/views/live/page/source/store.js";
 
@@ -115,19 +115,6 @@ test("entries that are no parameters are ignored", () => {
   const parameters = one();
   parameters.take([null, 3, {}, { name: 4 }]);
   assert.equal(parameters.all.size, 1);
-});
-
-test("thresholds are those of the script library, and missing without its parameters", () => {
-  const parameters = one();
-  assert.equal(thresholds(parameters), null);
-  parameters.take(
-    Object.entries({ false_flips: 0.02, looks: 240, disturbances: 5, least: 2 }).map(([name, value]) => ({
-      name: `decision.${name}`,
-      value,
-    })),
-  );
-  assert.ok(Math.abs(thresholds(parameters).confirmed - Math.log(12000)) < 1e-9);
-  assert.ok(Math.abs(thresholds(parameters).unconfirmed - Math.log(250)) < 1e-9);
 });
 
 test("the sentence names the mirrored pose, a flip, and the end of doubt", () => {

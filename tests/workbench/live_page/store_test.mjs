@@ -62,6 +62,17 @@ test("machines of the scenario are known by name until another run begins", () =
   assert.equal(store.scenario.size, 0);
 });
 
+test("thresholds of the evidence are those that the robot sent, and missing if they are no numbers", () => {
+  const store = filled(1);
+  assert.equal(store.limits, null);
+  store.receive("/decision", 0, encode({ confirmed: 9.4, unconfirmed: 5.5 }));
+  assert.deepEqual(store.limits, { confirmed: 9.4, unconfirmed: 5.5 });
+  for (const bad of [{}, null, 3, { confirmed: 9.4 }, { confirmed: "9", unconfirmed: 5 }]) {
+    store.receive("/decision", 0, encode(bad));
+    assert.equal(store.limits, null);
+  }
+});
+
 test("the live view shows the last complete frame", () => {
   const store = filled(3);
   assert.equal(store.shown().evidence, 1);

@@ -173,6 +173,31 @@ TEST(ViewerMessages, ContainTheMachinesOfTheBehaviorsAndOfTheScenario) {
     {"name":"mirrored_placement","state":"","seconds":5.0,"stopped":false,"errors":0,"scenario":true}])"));
 }
 
+TEST(ViewerMessages, ContainTheThresholdsOfTheEvidenceIfTheRunHasTheirParameters) {
+  FrameRecord frame;
+  const auto parameter = [](std::string name, double value) {
+    Parameter one;
+    one.name = std::move(name);
+    one.value = value;
+    return one;
+  };
+  frame.parameters = {parameter("decision.disturbances", 5.0), parameter("decision.looks", 240.0),
+                      parameter("decision.false_flips", 0.02), parameter("decision.least", 2.0)};
+  const auto count = [&] {
+    int messages = 0;
+    ViewerMessages().add({frame, frame, {}, {}, true},
+                         [&](ViewerTopic topic, std::string_view) { messages += topic == ViewerTopic::decision; });
+    return messages;
+  };
+  EXPECT_EQ(count(), 0) << "without the topic of the parameters";
+  frame.filled = Topics::all();
+  const Json thresholds = message_of(frame, ViewerTopic::decision);
+  EXPECT_NEAR(thresholds["confirmed"], std::log(12000.0), 1e-9);
+  EXPECT_NEAR(thresholds["unconfirmed"], std::log(250.0), 1e-9);
+  frame.parameters.pop_back();
+  EXPECT_EQ(count(), 0) << "without one of its parameters";
+}
+
 TEST(ViewerMessages, DrawRejectedFeaturesTranslucent) {
   FrameRecord frame;
   frame.filled = Topics::all();

@@ -17,9 +17,11 @@ namespace {
 constexpr const char* kDecides = R"(local decision = require "lib.decision"
 behavior "tested" { initial = "waiting",
   state "waiting" { { "logging", after = 0.1, because = "it is time" } },
-  state "logging" { enter = function() log.info(string.format("%.6f", decision.unconfirmed_threshold())) end } })";
+  state "logging" { enter = function()
+    log.info(string.format("%.6f %.6f", decision.unconfirmed_threshold(), decision.confirmed_threshold()))
+  end } })";
 
-/// A behavior that logs the threshold of the shipped library.
+/// A behavior that logs the thresholds of the shipped library.
 FrameSetup with_shipped_library() {
   std::ifstream in(std::string(kSourceFolder) + "/scripts/lib/decision.lua");
   FrameSetup setup;
@@ -27,30 +29,37 @@ FrameSetup with_shipped_library() {
   return setup;
 }
 
-double logged_threshold(HandFedLoop& loop) {
+/// That of an unconfirmed pose, and that of a confirmed pose.
+std::pair<double, double> logged_thresholds(HandFedLoop& loop) {
   for (int i = 0; i < 10; ++i) {
     const FrameRecord& frame = loop.step();
-    if (!frame.logs.empty()) return std::stod(frame.logs[0].text);
+    if (frame.logs.empty()) continue;
+    std::size_t end = 0;
+    const double unconfirmed = std::stod(frame.logs[0].text, &end);
+    return {unconfirmed, std::stod(frame.logs[0].text.substr(end))};
   }
   ADD_FAILURE() << "nothing is logged";
-  return 0.0;
+  return {};
 }
 
-TEST(UnconfirmedThreshold, IsThatOfTheShippedLibrary) {
+TEST(DecisionThresholds, AreThoseOfTheShippedLibrary) {
   for (const auto& [name, value] : {std::pair{"decision.false_flips", "0.02"},
                                     {"decision.false_flips", "1"},
                                     {"decision.disturbances", "100"},
+                                    {"decision.looks", "3"},
                                     {"decision.least", "7"}}) {
     FrameSetup setup = with_shipped_library();
     setup.parameters = {{name, value, ParameterOrigin::file, ""}};
     HandFedLoop loop(kDecides, std::move(setup));
-    const double threshold = logged_threshold(loop);
-    EXPECT_NEAR(unconfirmed_threshold(loop.engine->parameters()), threshold, 1e-5) << name << " " << value;
+    const auto [unconfirmed, confirmed] = logged_thresholds(loop);
+    EXPECT_NEAR(unconfirmed_threshold(loop.engine->parameters()), unconfirmed, 1e-5) << name << " " << value;
+    EXPECT_NEAR(confirmed_threshold(loop.engine->parameters()), confirmed, 1e-5) << name << " " << value;
   }
 }
 
-TEST(UnconfirmedThreshold, IsUnknownWithoutTheLibrary) {
+TEST(DecisionThresholds, AreUnknownWithoutTheLibrary) {
   EXPECT_EQ(unconfirmed_threshold({}), 0.0);
+  EXPECT_EQ(confirmed_threshold({}), 0.0);
   const HandFedLoop loop(kIdle);
   EXPECT_EQ(unconfirmed_threshold(loop.engine->parameters()), 0.0);
 }

@@ -143,6 +143,7 @@ void LiveView::add_while_paused(FrameInputs& inputs, const FrameRecord& last, co
 /// The messages to make of the coming frame.
 ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
   ViewerTopics topics = viewers_.subscribed();
+  has_changes_ = has_changes_ || !inputs.parameter_changes.empty() || !inputs.script_edits.empty();
   begins_ = viewers_.take_new_subscriber() || begins_;
   const std::uint64_t frame = frames_++;
   if (!is_shown(frame, options_.every)) return topics & moment_topics();
@@ -158,6 +159,8 @@ ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
   keep_if(begins_ || shown % kRoomEvery == 0, {ViewerTopic::room});
   keep_if(begins_ || shown % kWallEvery == 0, {ViewerTopic::wall});
   keep_if(begins_ || shown % kParametersEvery == 0, {ViewerTopic::parameters});
+  keep_if(begins_ || has_changes_ || shown % kParametersEvery == 0, {ViewerTopic::decision});
+  has_changes_ = false;
   keep_if(begins_, {ViewerTopic::field, ViewerTopic::upper_calibration, ViewerTopic::lower_calibration});
   const auto has_image = [&](const std::optional<CameraFrame>& camera) {
     return options_.jpeg_quality > 0 && camera && !camera->image.empty();
@@ -191,7 +194,7 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
   if (has(ViewerTopic::pose_particles)) wanted_ = wanted_ | Topics{Topic::pose_particles};
   if (has(ViewerTopic::wall) || has(ViewerTopic::room)) wanted_ = wanted_ | Topics{Topic::room};
   if (has(ViewerTopic::percepts)) wanted_ = wanted_ | Topics{Topic::feature_fits};
-  if (has(ViewerTopic::parameters)) wanted_ = wanted_ | Topics{Topic::parameters};
+  if (has(ViewerTopic::parameters) || has(ViewerTopic::decision)) wanted_ = wanted_ | Topics{Topic::parameters};
   if (may_stay) wanted_ = wanted_ | kViewedTopics;
   const auto copy_image = [&](std::size_t camera, const std::optional<CameraFrame>& seen, bool is_due) {
     copy_->has_image[camera] = is_due || (may_stay && options_.jpeg_quality > 0 && seen && !seen->image.empty());

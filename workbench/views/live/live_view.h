@@ -97,6 +97,7 @@ class LiveView : public InputSource, public Observer {
   std::uint64_t frames_ = 0;
   double last_time_ = 0.0;             // s, of the last frame
   bool is_copied_ = false;             // the last frame, for viewers
+  bool has_changes_ = false;           // of parameters or scripts since the last shown frame
   bool is_kept_ = false;               // the coming frame, for what-if
   bool begins_ = false;                // a viewer needs the lasting messages
   const FrameLoop* engine_ = nullptr;  // whose application the viewers know

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/script/language/world_fields.h"
 #include "workbench/run/application_values.h"
+#include "workbench/run/decision_threshold.h"
 #include "workbench/run/log_lines.h"
 #include "workbench/run/timeline.h"
 #include "workbench/views/scene/camera_overlay.h"
@@ -168,6 +170,13 @@ Json room_json(const RoomRecord& room) {
           {"evidence", std::move(evidence)}, {"in_view", std::move(in_view)},      {"view", std::move(view)}};
 }
 
+/// Thresholds of the evidence; nothing: the run does not have their parameters.
+std::optional<Json> decision_json(const std::vector<Parameter>& parameters) {
+  const double confirmed = confirmed_threshold(parameters), unconfirmed = unconfirmed_threshold(parameters);
+  if (confirmed == 0.0 || unconfirmed == 0.0) return std::nullopt;
+  return Json{{"confirmed", confirmed}, {"unconfirmed", unconfirmed}};
+}
+
 Json parameters_json(const std::vector<Parameter>& parameters) {
   Json all = Json::array();
   for (const Parameter& parameter : parameters)
@@ -235,8 +244,11 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
     send_scene(ViewerTopic::wall, kField, "wall", [&] { return scene::wall_scene(viewed.extra.room); });
     send(ViewerTopic::room, [&] { return room_json(viewed.extra.room); });
   }
-  if (viewed.extra.filled.has(Topic::parameters))
+  if (viewed.extra.filled.has(Topic::parameters)) {
     send(ViewerTopic::parameters, [&] { return parameters_json(viewed.extra.parameters); });
+    if (const std::optional<Json> decision = decision_json(viewed.extra.parameters))
+      send(ViewerTopic::decision, [&] { return *decision; });
+  }
   if (viewed.extra.filled.has(Topic::pose_particles)) {
     send(ViewerTopic::pose_particles,
          [&] { return foxglove::poses_in_frame(time, kField, viewed.extra.pose_particles.particles); });

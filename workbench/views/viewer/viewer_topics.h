@@ -36,9 +36,10 @@ enum class ViewerTopic {
   request,
   log,
   costs,
-  parameters
+  parameters,
+  decision
 };
-inline constexpr int kViewerTopicCount = 22;
+inline constexpr int kViewerTopicCount = 23;
 
 struct ViewerTopicInfo {
   ViewerTopic topic;
@@ -88,6 +89,8 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
      "log lines and notes; faults and edits of scripts; changes of parameters"},
     {ViewerTopic::costs, "/costs", "reorient.Costs", "duration of each stage, and cost of each script"},
     {ViewerTopic::parameters, "/parameters", "reorient.Parameters", "every parameter and its value", true},
+    {ViewerTopic::decision, "/decision", "reorient.Decision",
+     "evidence at which the shipped behaviors decide, in log-odds", true},
 }};
 
 /// Some of the topics.

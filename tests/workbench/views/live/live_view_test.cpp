@@ -701,6 +701,25 @@ TEST_F(ViewedRun, IsTheSameWithAndWithoutViewers) {
   EXPECT_EQ(viewed.digest().hex(), unviewed.digest().hex());
 }
 
+TEST_F(ViewedRun, SendsTheThresholdsOfTheEvidenceWhenTheyChange) {
+  const std::string library = read_input(std::filesystem::path(kSourceFolder) / "scripts/lib/decision.lua", "it");
+  start();
+  loop.inputs.script_edits = {
+      {"lib/decision.lua", ScriptText{library, ""}},
+      {"behaviors/tested.lua", ScriptText{"require 'lib.decision'\n" + std::string(kIdle), ""}}};
+  step(2);
+  const auto viewer = connect();
+  subscribe(*viewer, {ViewerTopic::decision});
+  viewer->call(id_of(Service::set_parameters), 1, R"({"parameters":[{"name":"decision.least","value":7}]})");
+  sync(*viewer);
+  step();
+  EXPECT_EQ(await_data(*viewer, ViewerTopic::decision)["unconfirmed"], 7.0);
+  viewer->call(id_of(Service::set_parameters), 2, R"({"parameters":[{"name":"decision.least","value":8}]})");
+  sync(*viewer);
+  step();
+  EXPECT_EQ(await_data(*viewer, ViewerTopic::decision)["unconfirmed"], 8.0) << "in the frame of the change";
+}
+
 constexpr const char* kWaiting = R"(behavior "tested" {
   initial = "dark",
   state "dark" {

@@ -10,7 +10,15 @@ import { load } from "../packages.mjs";
 const { WebSocketServer } = load("ws");
 
 const SUBPROTOCOL = "foxglove.websocket.v1";
-const LASTING = new Set(["/field", "/wall", "/room", "/parameters", "/camera/upper/calibration", "/camera/lower/calibration"]);
+const LASTING = new Set([
+  "/field",
+  "/wall",
+  "/room",
+  "/parameters",
+  "/decision",
+  "/camera/upper/calibration",
+  "/camera/lower/calibration",
+]);
 const SERVICES = [
   "parameter_list",
   "set_parameters",

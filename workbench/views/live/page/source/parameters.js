@@ -126,13 +126,3 @@ export class Parameters {
     return other !== undefined && !isSame(other, parameter.value);
   }
 }
-
-/// The thresholds of the evidence in log-odds, as scripts/lib/decision.lua computes them; null if its parameters are
-/// unknown.
-export function thresholds(parameters) {
-  const value = (name) => Number(parameters.all.get(`decision.${name}`)?.value);
-  const least = value("least");
-  const of = (chances) => Math.max(least, Math.log(chances / value("false_flips")));
-  const found = { confirmed: of(value("looks")), unconfirmed: of(value("disturbances")) };
-  return Number.isFinite(found.confirmed) && Number.isFinite(found.unconfirmed) ? found : null;
-}

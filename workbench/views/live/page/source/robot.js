@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The robot as the panels see it: the store, the parameters, the state of the connection, and what can be sent.
 import { Connection } from "./connection.js";
-import { Parameters, thresholds } from "./parameters.js";
+import { Parameters } from "./parameters.js";
 import { playbackRequest, seconds } from "./protocol.js";
 import { Store, TOPICS } from "./store.js";
 import { changed, changedByUser, onFailure } from "./ticker.js";
@@ -45,6 +45,7 @@ const listeners = {
     link.state = state;
     if (state !== "open") {
       link.services = new Set();
+      link.slow = "";
       parameters.forgetSent();
     }
     if (state === "open" && connection.has("parameters"))
@@ -180,5 +181,5 @@ export function undoParameter() {
   return undo;
 }
 
-/// Thresholds of the evidence, if the robot has the parameters from which they follow.
-export const limits = () => thresholds(parameters);
+/// Thresholds of the evidence, as the store has them.
+export const limits = () => store.limits;

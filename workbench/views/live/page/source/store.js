@@ -19,6 +19,7 @@ export const TOPICS = [
   "/log",
   "/costs",
   "/parameters",
+  "/decision",
   "/camera/upper/image",
   "/camera/upper/calibration",
   "/camera/upper/annotations",
@@ -32,7 +33,13 @@ const GAP = 1; // s between two frames, in which the states are not known
 const FRAME = 1 / 30; // s
 const MOST_LINES = 5000; // of the log, and of events
 const PARSED = 48; // parsed messages that are kept
-const LASTING = new Set(["/field", "/parameters", "/camera/upper/calibration", "/camera/lower/calibration"]);
+const LASTING = new Set([
+  "/field",
+  "/parameters",
+  "/decision",
+  "/camera/upper/calibration",
+  "/camera/lower/calibration",
+]);
 const MICROSECOND = 1e-6;
 
 function binaryOf(base64) {
@@ -251,6 +258,12 @@ export class Store {
 
   get newest() {
     return this.frames.at(-1)?.time ?? 0;
+  }
+
+  /// Thresholds of the evidence in log-odds, {confirmed, unconfirmed}; null: the robot has not sent them.
+  get limits() {
+    const { confirmed, unconfirmed } = this.lasting.get("/decision") ?? {};
+    return [confirmed, unconfirmed].every(Number.isFinite) ? { confirmed, unconfirmed } : null;
   }
 
   get isLive() {
