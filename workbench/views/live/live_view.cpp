@@ -156,7 +156,7 @@ ViewerTopics LiveView::due_topics(const FrameInputs& inputs) {
   // Also from time to time, because a camera may send its first image late.
   begins_ = begins_ || shown % kParametersEvery == 0;
   keep_if(shown % kParticlesEvery == 0, {ViewerTopic::pose_particles});
-  keep_if(begins_ || shown % kRoomEvery == 0, {ViewerTopic::room});
+  keep_if(begins_ || shown % kRoomEvery == 0, {ViewerTopic::room, ViewerTopic::view});
   keep_if(begins_ || shown % kWallEvery == 0, {ViewerTopic::wall});
   keep_if(begins_ || shown % kParametersEvery == 0, {ViewerTopic::parameters});
   keep_if(begins_ || has_changes_ || shown % kParametersEvery == 0, {ViewerTopic::decision});
@@ -192,7 +192,8 @@ void LiveView::before(const FrameInputs& inputs, const FrameLoop& engine) {
   if (has(ViewerTopic::costs)) wanted_ = wanted_ | Topics{Topic::costs};
   if (has(ViewerTopic::conditions)) wanted_ = wanted_ | Topics{Topic::conditions};
   if (has(ViewerTopic::pose_particles)) wanted_ = wanted_ | Topics{Topic::pose_particles};
-  if (has(ViewerTopic::wall) || has(ViewerTopic::room)) wanted_ = wanted_ | Topics{Topic::room};
+  if (has(ViewerTopic::wall) || has(ViewerTopic::room) || has(ViewerTopic::view))
+    wanted_ = wanted_ | Topics{Topic::room};
   if (has(ViewerTopic::percepts)) wanted_ = wanted_ | Topics{Topic::feature_fits};
   if (has(ViewerTopic::parameters) || has(ViewerTopic::decision)) wanted_ = wanted_ | Topics{Topic::parameters};
   if (may_stay) wanted_ = wanted_ | kViewedTopics;
@@ -279,6 +280,8 @@ void LiveView::make_messages() {
 void LiveView::publish(const FrameCopy& copy, ViewerTopics topics, bool begins) {
   if (topics.none()) return;
   const FrameRecord frame = read_record(copy.record);
+  const auto wall = index_of(ViewerTopic::wall);
+  if (topics.test(wall) && frame.filled.has(Topic::room)) topics.set(wall, wall_changes_.take(frame.room, begins));
   ViewedFrame viewed{frame, frame, copy.scene, {}, begins, topics};
   for (std::size_t camera = 0; camera < copy.images.size(); ++camera)
     if (copy.has_image[camera]) viewed.images[camera] = copy.images[camera].view();

@@ -20,6 +20,7 @@
 #include "workbench/views/live/frame_tasks.h"
 #include "workbench/views/live/session.h"
 #include "workbench/views/viewer/viewer_messages.h"
+#include "workbench/views/viewer/wall_changes.h"
 
 namespace reorient {
 
@@ -118,6 +119,7 @@ class LiveView : public InputSource, public Observer {
 
   // Of the thread.
   ViewerMessages messages_;
+  WallChanges wall_changes_;
   std::unique_ptr<live::FrameCopy> last_;  // the last frame
   ViewerTopics made_;                      // messages that were made of it
   std::thread thread_;

@@ -106,13 +106,18 @@ Scene wall_scene(const RoomRecord& room) {
     const Color color = model.light_visits > 0 ? mean.with_opacity(0.9) : palette::unknown_tile;
     tiles.shapes.push_back({{corners.begin(), corners.end()}, {}, 0.0, true, color});
   }
+  return {std::move(tiles)};
+}
+
+Scene view_scene(const RoomRecord& room) {
+  const Wall wall(room.basis.wall);
   SceneLayer view{"belief of the view"};
   for (const auto& [azimuth, share] : view_shares(room)) {
     constexpr double kTallest = 2.0;  // m
     const Eigen::Vector2d foot = 0.95 * wall.radius() * unit_vector(azimuth);
     view.shapes.push_back({{on_ground(foot), at_height(foot, kTallest * share)}, palette::view_particle, 0.06});
   }
-  return {std::move(tiles), std::move(view)};
+  return {std::move(view)};
 }
 
 Scene percept_scene(std::span<const FieldPercept> percepts, std::span<const FeatureFits> fits) {

@@ -28,8 +28,10 @@ struct ViewShare {
 /// The belief of the view, without parts below a hundredth of the largest one.
 std::vector<ViewShare> view_shares(const RoomRecord& room);
 
-/// The tiles of the wall in their mean colors, and the belief of the view as rods on the ground. Field frame.
+/// The tiles of the wall in their mean colors. Field frame.
 Scene wall_scene(const RoomRecord& room);
+/// The belief of the view as rods on the ground near the wall. Field frame.
+Scene view_scene(const RoomRecord& room);
 
 /// The detections of both cameras on the ground. Robot frame. `fits`: of the same cameras, or empty. Line points and
 /// goal posts that the pose filter rejects at the believed pose, or does not use, have an opacity below 0.5.

@@ -16,25 +16,35 @@ namespace {
 
 constexpr double kNanosecond = 1e-9;
 
-/// Messages are for viewing, so a precision of 0.1 mm is enough. It takes a fifth of the text of a double.
-double rounded(double number, double steps = 1e4) {
+// Messages are for viewing. Steps in a unit: a tenth of a millimeter, a millimeter of what there are many, a tenth of a
+// pixel. Rounding takes a fifth of the text of a double.
+constexpr double kExact = 1e4, kMillimeters = 1e3, kTenthsOfPixels = 1e1;
+
+double rounded(double number, double steps = kExact) {
   return std::isfinite(number) ? std::round(steps * number) / steps : 0.0;
 }
 
+/// The same, without a fraction if it is whole: `0` takes less text than `0.0`.
+Json short_number(double number, double steps) {
+  const double value = rounded(number, steps);
+  constexpr double kLargestWhole = 1e9;
+  if (std::abs(value) < kLargestWhole && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return value;
+}
+
 template <typename Vector>
-Json point(const Vector& point) {
-  Json json{{"x", rounded(point.x())}, {"y", rounded(point.y())}};
-  if constexpr (Vector::RowsAtCompileTime == 3) json["z"] = rounded(point.z());
+Json point(const Vector& point, double steps = kExact) {
+  Json json{{"x", short_number(point.x(), steps)}, {"y", short_number(point.y(), steps)}};
+  if constexpr (Vector::RowsAtCompileTime == 3) json["z"] = short_number(point.z(), steps);
   return json;
 }
 
-Json quaternion(const Eigen::Matrix3d& rotation) {
+Json quaternion(const Eigen::Matrix3d& rotation, double steps = 1e6) {
   const Eigen::Quaterniond turn(rotation);
-  constexpr double kSteps = 1e6;
-  return {{"x", rounded(turn.x(), kSteps)},
-          {"y", rounded(turn.y(), kSteps)},
-          {"z", rounded(turn.z(), kSteps)},
-          {"w", rounded(turn.w(), kSteps)}};
+  return {{"x", short_number(turn.x(), steps)},
+          {"y", short_number(turn.y(), steps)},
+          {"z", short_number(turn.z(), steps)},
+          {"w", short_number(turn.w(), steps)}};
 }
 
 Json color(const scene::Color& color) {
@@ -43,9 +53,9 @@ Json color(const scene::Color& color) {
 }
 
 template <typename Point>
-Json points_json(const std::vector<Point>& points) {
+Json points_json(const std::vector<Point>& points, double steps) {
   Json all = Json::array();
-  for (const Point& each : points) all.push_back(point(each));
+  for (const Point& each : points) all.push_back(point(each, steps));
   return all;
 }
 
@@ -59,7 +69,7 @@ Json triangles_json(const std::vector<scene::Shape<Eigen::Vector3d>>& shapes) {
     if (!(shape.fill.opacity > 0.0)) continue;
     const std::size_t first = points.size();
     for (const Eigen::Vector3d& corner : shape.points) {
-      points.push_back(point(corner));
+      points.push_back(point(corner, kMillimeters));
       colors.push_back(color(shape.fill));
     }
     for (std::size_t i = 2; i < shape.points.size(); ++i)
@@ -142,7 +152,12 @@ Json pose_in_frame(double seconds, std::string_view frame, const Pose2& where) {
 
 Json poses_in_frame(double seconds, std::string_view frame, std::span<const Pose2> poses) {
   Json all = Json::array();
-  for (const Pose2& each : poses) all.push_back(pose(each));
+  constexpr double kStepsOfTurn = 1e4;
+  for (const Pose2& each : poses) {
+    const Isometry3 motion = on_the_ground(each);
+    all.push_back({{"position", point(motion.translation(), kMillimeters)},
+                   {"orientation", quaternion(motion.linear(), kStepsOfTurn)}});
+  }
   return {{"timestamp", time(seconds)}, {"frame_id", frame}, {"poses", std::move(all)}};
 }
 
@@ -197,7 +212,7 @@ Json scene_update(double seconds, std::string_view frame, std::string_view id, c
                        {"pose", pose_at(Eigen::Vector3d::Zero())},
                        {"thickness", shape.thickness},
                        {"scale_invariant", false},
-                       {"points", points_json(shape.points)},
+                       {"points", points_json(shape.points, kMillimeters)},
                        {"color", color(shape.color)},
                        {"colors", Json::array()},
                        {"indices", Json::array()}});
@@ -239,7 +254,7 @@ Json image_annotations(double seconds, const scene::Overlay& overlay) {
                               const scene::Color& outline, const scene::Color& fill) {
     points.push_back({{"timestamp", timestamp},
                       {"type", type},
-                      {"points", points_json(pixels)},
+                      {"points", points_json(pixels, kTenthsOfPixels)},
                       {"outline_color", color(outline)},
                       {"outline_colors", Json::array()},
                       {"fill_color", color(fill)},
@@ -261,9 +276,9 @@ Json image_annotations(double seconds, const scene::Overlay& overlay) {
       }
       for (const Eigen::Vector2d& center : centers) {
         circles.push_back({{"timestamp", timestamp},
-                           {"position", point(center)},
-                           {"diameter", rounded(2.0 * style.radius)},
-                           {"thickness", rounded(style.ring)},
+                           {"position", point(center, kTenthsOfPixels)},
+                           {"diameter", rounded(2.0 * style.radius, kTenthsOfPixels)},
+                           {"thickness", rounded(style.ring, kTenthsOfPixels)},
                            {"fill_color", color(kNothing)},
                            {"outline_color", color(style.color)}});
       }

@@ -242,6 +242,7 @@ void ViewerMessages::add(const ViewedFrame& viewed, const Sink& sink) {
     send_scene(ViewerTopic::field, kField, "field", [&] { return scene::field_scene(frame.world.field); });
   if (viewed.extra.filled.has(Topic::room) && !viewed.extra.room.model.empty()) {
     send_scene(ViewerTopic::wall, kField, "wall", [&] { return scene::wall_scene(viewed.extra.room); });
+    send_scene(ViewerTopic::view, kField, "view", [&] { return scene::view_scene(viewed.extra.room); });
     send(ViewerTopic::room, [&] { return room_json(viewed.extra.room); });
   }
   if (viewed.extra.filled.has(Topic::parameters)) {

@@ -37,9 +37,10 @@ enum class ViewerTopic {
   log,
   costs,
   parameters,
-  decision
+  decision,
+  view
 };
-inline constexpr int kViewerTopicCount = 23;
+inline constexpr int kViewerTopicCount = 24;
 
 struct ViewerTopicInfo {
   ViewerTopic topic;
@@ -58,7 +59,7 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::truth, "/truth/pose", "foxglove.PoseInFrame", "the true pose, if it is known"},
     {ViewerTopic::field, "/field", "foxglove.SceneUpdate", "lines and goals", true},
     {ViewerTopic::wall, "/wall", "foxglove.SceneUpdate",
-     "tiles of the background model in their mean color, once a second; vertical rods that show the estimated view",
+     "tiles of the background model in their mean color, once a second; in live views only if a color has changed",
      true},
     {ViewerTopic::room, "/room", "reorient.Room",
      "evidence of each tile of the wall, fit of the tiles in view, estimated view, five times a second", true},
@@ -91,6 +92,8 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::parameters, "/parameters", "reorient.Parameters", "every parameter and its value", true},
     {ViewerTopic::decision, "/decision", "reorient.Decision",
      "evidence at which the shipped behaviors decide, in log-odds", true},
+    {ViewerTopic::view, "/view", "foxglove.SceneUpdate",
+     "vertical rods near the wall that show the estimated view, five times a second", true},
 }};
 
 /// Some of the topics.

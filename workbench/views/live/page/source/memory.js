@@ -4,7 +4,8 @@
 
 export const IMAGE_TOPICS = ["/camera/upper/image", "/camera/lower/image"];
 const IMAGES = [...IMAGE_TOPICS, "/camera/upper/annotations", "/camera/lower/annotations"];
-const DETAILS = ["/percepts", "/belief/particles", "/wall", "/room", "/costs", "/conditions"];
+const DETAILS = ["/percepts", "/belief/particles", "/room", "/costs", "/conditions"];
+const WALL = ["/wall"]; // not sent while its colors stay the same
 
 /// What to thin, in this order: topics, and the smallest time in s between two of their messages.
 const STEPS = [
@@ -15,8 +16,10 @@ const STEPS = [
   [IMAGES, 1],
   [IMAGES, 2],
   [DETAILS, 1],
+  [WALL, 5],
   [IMAGES, Infinity],
   [DETAILS, Infinity],
+  [WALL, Infinity],
 ];
 const RECENT = 10; // s that stay complete as long as possible
 const ENOUGH = 0.9; // fraction of the budget at which thinning ends
