@@ -109,12 +109,13 @@ onOtherRun(() => {
   dropAll();
 });
 
-/// Sets the tried parameters on the robot. Scripts are saved in the editor.
+/// Sets the tried parameters on the robot, and so do the sliders from now on. Scripts are saved in the editor.
 export function applyParameters() {
   for (const [name, value] of trial.parameters) {
     setParameter(name, value);
     parameters.settle();
   }
   trial.parameters.clear();
+  trial.isOn = false;
   askAgain();
 }
