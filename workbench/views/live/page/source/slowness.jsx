@@ -3,6 +3,8 @@
 import { seconds } from "./format.js";
 import { isReplay, link, store } from "./robot.js";
 
+const RECENT =
+  "The robot sends fewer frames and images, so that what arrives is recent. Events and log lines all arrive.";
 const RECENT_DROPS = 10000; // ms
 const OLD = 700; // ms
 
@@ -13,6 +15,7 @@ function age(now) {
 }
 
 export function Slowness() {
+  if (link.state !== "open") return null;
   const now = Date.now();
   const old = link.slow && store.isLive ? age(now) : null;
   const dropped = link.drops > 0 && now - link.lastDrop < RECENT_DROPS;
@@ -20,7 +23,7 @@ export function Slowness() {
     <>
       {old !== null && <span class="value soft">{seconds(old, 1)} old</span>}
       {link.slow && (
-        <span class="badge" title="The robot sends fewer frames and images, so that what arrives is recent. Events and log lines all arrive.">
+        <span class="badge" title={`${link.slow}. ${RECENT}`}>
           {link.slow}
         </span>
       )}

@@ -44,14 +44,14 @@ export function drawLabel(context, text, middle) {
   context.fillText(clipped(context, text, GUTTER - 12), 8, middle);
 }
 
-/// `x(time)`: pixels. Entries of a band: {time, value}.
-export function drawBand(context, band, row, range, x, isDark, isStatus) {
+/// `x(time)`: pixels. Entries of a band: {time, value}. The last one lasts until `newest`.
+export function drawBand(context, band, row, range, x, isDark, isStatus, newest = Infinity) {
   const [from, to] = range;
   const top = row * ROW + 1;
   const middle = top + (ROW - 2) / 2;
   for (let i = band.length - 1; i >= 0; --i) {
     const begin = band[i].time;
-    const end = band[i + 1]?.time ?? to;
+    const end = band[i + 1]?.time ?? newest;
     if (begin >= to) continue;
     if (end <= from) break;
     const [left, right] = [x(Math.max(from, begin)), x(Math.min(to, end))];
@@ -155,7 +155,7 @@ export function drawBands(context, store, machines, range, width, isDark) {
   rows.forEach((name, row) => {
     drawLabel(context, name.replaceAll("_", " "), (row + 0.5) * ROW);
     const band = store.bands.get(name);
-    if (band) drawBand(context, band, row, range, x, isDark, row === 0);
+    if (band) drawBand(context, band, row, range, x, isDark, row === 0, store.newest);
   });
   ["commands", "edits, notes"].forEach((name, i) => {
     const middle = (rows.length + i + 0.5) * ROW;

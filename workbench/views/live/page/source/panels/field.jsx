@@ -45,8 +45,8 @@ export function drawField(context, width, height, layers) {
   if (layers.cone) drawCone(context, frame, store.lasting.get("/camera/upper/calibration"), plan);
   const percepts = layers.percepts && store.read("/percepts", 0.5);
   if (percepts) drawPercepts(context, sceneOf(percepts.value), frame.pose, plan);
-  if (layers.mirrored) drawRobot(context, mirrored(frame.pose), palette.opposite, 7, plan, true);
   if (layers.truth && frame.truth) drawRobot(context, frame.truth, palette.truth, 12, plan);
+  if (layers.mirrored) drawRobot(context, mirrored(frame.pose), palette.opposite, 7, plan, true);
   if (layers.belief) drawRobot(context, frame.pose, palette.belief, 8, plan);
   return plan;
 }
