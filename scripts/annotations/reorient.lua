@@ -7,6 +7,7 @@
 ---@field initial? string
 ---@field history? boolean
 ---@field publishes? string
+---@field ends? "done"|"failed"
 ---@field common? table[]
 ---@field behaviors? string[]
 ---@field room? string
@@ -48,6 +49,12 @@ game = {}
 ---@field torso_pitch_bias number rad, estimated error of the torso's measured pitch, from the lines of the field, positive forward
 ---@field camera_pitch_bias number rad, estimated error of the upper camera's pitch in its mounting, positive downward
 ---@field bias_deviation number rad, standard deviation of the sum of torso_pitch_bias and camera_pitch_bias
+---@field walking boolean whether the robot walks or turns: it was requested, or the odometry measures it
+---@field speed number m/s, measured speed along the ground, smoothed over 0.3 s
+---@field turn_speed number rad/s, measured speed of rotation, positive to the left, smoothed over 0.3 s
+---@field requested_speed number m/s, speed of the walk request that the robot got in the previous frame
+---@field head_moving boolean whether the head turns faster than 0.1 rad/s
+---@field head_speed number rad/s, measured speed of the faster joint of the neck, smoothed over 0.1 s
 ---@field can_walk boolean whether this body can walk
 ---@field can_get_up boolean whether this body can get up after a fall
 ---@field cruise number m/s, walking speed of this body over long distances; 0: it cannot walk
@@ -161,6 +168,26 @@ function command.pause_training() end
 
 ---Pauses the evaluation of the room until the calling state is left.
 function command.pause_evaluation() end
+
+---What became of this behavior's latest command of a kind, such as "flip_pose": idle (never requested), pending (requested in this frame), granted or refused.
+---@param command string
+---@return string
+function command.state(command) end
+
+---Why it was refused; empty if it was not.
+---@param command string
+---@return string
+function command.reason(command) end
+
+---Time until such a command is not too soon any more (s): after one was granted to any behavior, the same one is refused for some time.
+---@param command string
+---@return number
+function command.wait(command) end
+
+---How often this behavior's commands of a kind were refused since the latest one that was granted.
+---@param command string
+---@return integer
+function command.refusals(command) end
 
 ---@class reorient.head
 head = {}
@@ -331,6 +358,21 @@ function verdict.fail(text) end
 experimenter = operator
 
 do
+---Where the ball lies on the field, by the application's detector and the believed pose.
+---@class lib.ball
+local library = {}
+
+--- Whether the position of the ball is known: seen not long ago.
+---@return boolean
+function library.is_known() end
+
+--- The position on the field. Call it only while the ball is known.
+---@return number x m, toward the opponents' goal
+---@return number y m, to the left
+function library.on_field() end
+end
+
+do
 ---Computes the threshold of the evidence from the permitted rate of wrong decisions. Evidence is given in log-odds: a decision at 99 in 100 is wrong once in a hundred evaluations. All behaviors use the same threshold.
 ---@class lib.decision
 local library = {}
@@ -466,6 +508,11 @@ end
 ---@return table<string, any> values
 function param(declarations) end
 
+---Declares what a behavior that runs this one may give it, as `param` declares parameters; each argument has a default. Returns a read-only table of the values in this frame. A dwell time may be the name of an argument.
+---@param declarations table<string, table>
+---@return table<string, any> values
+function args(declarations) end
+
 ---Declares a table of numbers, texts and booleans that survives a reload of the script. Removed values stay removed, and values that a new version adds start as declared. Local variables do not survive.
 ---@generic T: table
 ---@param defaults T
@@ -477,10 +524,35 @@ function keep(defaults) end
 ---@return fun(body: reorient.State)
 function behavior(name) end
 
----Declares a state. `enter`, `update` and `exit`: functions that run when the state is entered, in every frame, and when it is left. It contains transitions and inner states. A state with inner states may also have `initial`, `common`, and `history = true`, which resumes the inner state that was active last. `publishes = "name"`: a flag that other scripts read as `published.name`.
+---Declares a state. `enter`, `update` and `exit`: functions that run when the state is entered, in every frame, and when it is left. It contains transitions and inner states. A state with inner states may also have `initial`, `common`, and `history = true`, which resumes the inner state that was active last. `publishes = "name"`: a flag that other scripts read as `published.name`. `ends = "done"` or `ends = "failed"`: the state ends the behavior for the one that runs it.
 ---@param name string
 ---@return fun(body: reorient.State): table
 function state(name) end
+
+---In a state of a behavior: runs another behavior while the state is active, with values for its `args`. A function is evaluated in every frame, and its result is limited to the range of the argument. The behavior starts when the state is entered, runs in each frame after its caller, with the priority of its caller, and stops when the state is left. A state may run several behaviors. The machine is named after its callers: `striker/walk_to`.
+---@param behavior string
+---@return fun(arguments: table): table
+function run(behavior) end
+
+---A condition: a behavior that the state runs has ended in a state with `ends = "done"`.
+---@param behavior string
+---@return fun(): boolean
+function done(behavior) end
+
+---The same for a state with `ends = "failed"`, and for a behavior that was stopped after errors.
+---@param behavior string
+---@return fun(): boolean
+function failed(behavior) end
+
+---The behaviors that the active states run, read-only: `outcome` (`running`, `done` or `failed`), `reason` (of the last transition), `state` (path) and `time_in_state` (s). After the state was left, outcome and reason of a behavior that had ended remain until it runs again; the others are nil and 0.
+---@class reorient.Called
+---@field outcome "running"|"done"|"failed"|nil
+---@field reason string?
+---@field state string?
+---@field time_in_state number s
+
+---@type table<string, reorient.Called>
+called = {}
 
 ---Declares a scenario for the simulator: a state machine like a behavior, which plays the operator beside the field and runs after each frame. `behaviors`: scripts to load. `room = "rooms/lab.hdr"` or `hall_seed = 3`, and `field`: the setting, unless the command line sets it. `room` is the path of a panorama from the scripts' root, or the name of one in assets/rooms; `field` likewise. Other files need `--room` and `--field`. Only scenarios have `truth`, `operator` and `verdict`. They cannot move the robot.
 ---@param name string
@@ -488,6 +560,7 @@ function state(name) end
 function scenario(name) end
 
 ---Returns the value that the file lib/walk.lua below the scripts' root returns. Allowed only at the top level of a script.
+---@overload fun(module: "lib.ball"): lib.ball
 ---@overload fun(module: "lib.decision"): lib.decision
 ---@overload fun(module: "lib.gaze"): lib.gaze
 ---@overload fun(module: "lib.ground_truth"): lib.ground_truth
@@ -569,9 +642,10 @@ expect = {}
 ---@param run fun()
 function test(name, run) end
 
----Loads a behavior.
+---Loads a behavior and the behaviors that it runs. `arguments`: values for its `args`, as a behavior gives them that runs it; they do not change.
 ---@param behavior reorient.BehaviorScript
-function load_behavior(behavior) end
+---@param arguments? table<string, any>
+function load_behavior(behavior, arguments) end
 
 ---Loads a scenario and its behaviors.
 ---@param scenario reorient.ScenarioScript
