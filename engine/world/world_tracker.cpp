@@ -62,15 +62,19 @@ void WorldTracker::take_room(const Confidences& confidence, const InformativeVie
 }
 
 void WorldTracker::take_field(const SensedField& seen) {
-  const HeadAngles turned{seen.head.yaw - world_.head.yaw, seen.head.pitch - world_.head.pitch};
-  if (world_.frame > 1) world_.motion = after_turn_of_head(world_.motion, turned, world_.time_step);
-  world_.head = seen.head;
+  take_head(seen.head);
   world_.goal_posts = seen.goal_posts;
   world_.line_points = seen.line_points;
   world_.intersections = seen.intersections;
   world_.ball = seen.ball.has_value();
   world_.ball_distance = seen.ball ? seen.ball->norm() : 0.0;
   world_.ball_bearing = seen.ball ? direction_of(*seen.ball) : 0.0;
+}
+
+void WorldTracker::take_head(const HeadAngles& head) {
+  const HeadAngles turned{head.yaw - world_.head.yaw, head.pitch - world_.head.pitch};
+  if (world_.frame > 1) world_.motion = after_turn_of_head(world_.motion, turned, world_.time_step);
+  world_.head = head;
 }
 
 void WorldTracker::judge_room(const RoomStatusParameters& parameters) {

@@ -65,6 +65,7 @@ class WorldTracker {
   void take_view();
   void take_room(const Confidences& confidence, const InformativeViews& views);
   void take_field(const SensedField& seen);
+  void take_head(const HeadAngles& head);
   /// The last step before behaviors read the world.
   void judge_room(const RoomStatusParameters& parameters);
   /// After behaviors have read the world: the request that the robot gets.

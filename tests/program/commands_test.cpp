@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include "tests/program/child_program.h"
 #include "tests/program/program_run.h"
 #include "tests/temporary_folder.h"
 #include "workbench/files/input_file.h"
@@ -142,13 +143,17 @@ TEST_F(CommandsTest, ReferenceOfAnInterfaceIsAPageOrAnnotations) {
   EXPECT_NE(unknown.err.find("unknown interface 'bal' (did you mean 'ball"), std::string::npos) << unknown.err;
 }
 
-TEST_F(CommandsTest, RunWarnsOfAMissingInterface) {
-  const ProgramRun without = run({"run", "--with", "kick_ball", "--seconds", "0.1", "--width", "160", "--no-pictures"});
-  EXPECT_NE(without.err.find("are missing; the interface 'ball' has them: --interface ball"), std::string::npos)
-      << without.err;
-  const ProgramRun with =
-      run({"run", "--with", "kick_ball", "--seconds", "0.1", "--width", "160", "--no-pictures", "--interface", "ball"});
-  EXPECT_EQ(with.err.find("are missing"), std::string::npos) << with.err;
+TEST(MissingInterface, IsAWarningAtTheStartOfARun) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words{"run", "--with", "kick_ball", "--seconds", "0.1", "--width", "160", "--no-pictures"};
+  ChildProgram without(folder.path(), words);
+  without.wait();
+  EXPECT_NE(without.err().find("are missing; the interface 'ball' has them: --interface ball"), std::string::npos)
+      << without.err();
+  words.insert(words.end(), {"--interface", "ball"});
+  ChildProgram with(folder.path(), words);
+  with.wait();
+  EXPECT_EQ(with.err().find("are missing"), std::string::npos) << with.err();
 }
 
 TEST_F(CommandsTest, NewBehaviorPassesItsCheckAndItsTest) {

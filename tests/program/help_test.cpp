@@ -74,7 +74,7 @@ TEST(Help, ListsAllCommands) {
   const std::vector<CommandPath> all = all_commands();
   for (const CommandPath& words : {CommandPath{"run"}, {"experiment", "tables"}, {"model", "merge"}, {"room", "rate"}})
     EXPECT_NE(std::find(all.begin(), all.end(), words), all.end()) << joined(words);
-  EXPECT_EQ(section_of(help_of({}), "Commands").size(), 18U);
+  EXPECT_EQ(section_of(help_of({}), "Commands").size(), 19U);
 }
 
 TEST(Help, IsPrintedByACommandToo) {

@@ -267,6 +267,9 @@ int Declarations::read_parameters(lua_State* L, const Source& source) {
     }
   }
   note(source.file, std::move(errors));
+  // The order of Lua's tables differs from process to process, and functions of arguments are called in this order.
+  std::sort(parameters.begin() + static_cast<std::ptrdiff_t>(first), parameters.end(),
+            [](const DeclaredParameter& left, const DeclaredParameter& right) { return left.key < right.key; });
   lua_newtable(L);
   for (std::size_t i = first; i < parameters.size(); ++i) {
     lua_pushvalue(L, -1);

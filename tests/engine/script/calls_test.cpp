@@ -174,7 +174,7 @@ TEST_F(ScriptCalls, AScriptReadsWhatItRuns) {
   ticks(4);
   EXPECT_EQ(state("player"), "b");
   EXPECT_EQ(logs.back(), "failed,it took too long,nil") << "so that the next state can say why";
-  ticks(4);
+  ticks(3);
   EXPECT_EQ(state("player"), "a");
   EXPECT_EQ(logs.back(), "running,,") << "it starts again";
 }

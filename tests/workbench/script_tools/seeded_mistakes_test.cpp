@@ -38,7 +38,7 @@ constexpr Requirement kRequirements[] = {
 /// REORIENT_SEEDED_MISTAKES in the environment sets their number, and prints all mistakes that were not found.
 int requested_mistakes() {
   const char* const requested = std::getenv("REORIENT_SEEDED_MISTAKES");
-  return requested != nullptr ? std::atoi(requested) : 100;
+  return requested != nullptr ? std::atoi(requested) : 200;
 }
 
 /// A copy of the shipped behaviors, libraries and scenarios, without the tests.

@@ -57,6 +57,7 @@ World FakeWorld::derived(const WorldTracker& tracker) const {
   if (is_set("robot.time_since_disturbance")) world.time_since_disturbance = world_.time_since_disturbance;
   if (is_set("robot.speed")) world.motion.speed = world_.motion.speed;
   if (is_set("robot.turn_speed")) world.motion.measured.turn = world_.motion.measured.turn;
+  if (is_set("robot.head_speed")) world.motion.head_speed = world_.motion.head_speed;
   if (is_set("robot.requested_speed")) world.motion.requested_speed = world_.motion.requested_speed;
   if (is_set("robot.may_walk")) world.may_walk = world_.may_walk;
   if (is_set("pose.known")) world.pose_known = world_.pose_known;
@@ -79,6 +80,8 @@ const World& FakeWorld::begin_frame(double time, const Arbitration& last, const 
   World before = world_;
   before.pose.pose = believed_;
   before.sides_changed = sides_changed_;
+  before.head = world_.frame == 0 ? world_.head : head_;
+  before.motion = after_request(before.motion, requested_);
   WorldTracker tracker(before);
   tracker.begin_frame(time);
   sense_sides(tracker);
@@ -98,6 +101,8 @@ const World& FakeWorld::begin_frame(double time, const Arbitration& last, const 
       reset(confidence);
       break;
   }
+  tracker.take_head(world_.head);
+  head_ = world_.head;
   believed_ = world_.pose.pose;
   is_pose_set_ = false;
   tracker.permit_views(last, !senses.is_pose_set);
@@ -115,7 +120,7 @@ void FakeWorld::judge_room() {
 }
 
 void FakeWorld::end_frame(const Arbitration& arbitration, const Request& request) {
-  if (!is_set("robot.requested_speed")) world_.motion = after_request(world_.motion, request.walk);
+  requested_ = request.walk;
   if (!arbitration.granted) return;
   const Reorientation reorientation = arbitration.granted->request.reorientation;
   WorldTracker tracker(world_);

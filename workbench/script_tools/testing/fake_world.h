@@ -53,6 +53,8 @@ class FakeWorld {
   World world_;                 // of the last frame, with the values set since then
   std::set<std::string> set_;   // fields that the test has set
   Pose2 believed_;              // at the end of the last frame
+  HeadAngles head_;             // in the last frame
+  WalkVelocity requested_;      // in the last frame, as the robot got it
   bool is_pose_set_ = false;    // since then
   bool sides_changed_ = false;  // in the last frame
   SensedPosture posture_;

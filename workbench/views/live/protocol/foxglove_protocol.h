@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/parameters/parameter.h"
+#include "robots/application.h"
 
 namespace reorient::live {
 
