@@ -116,7 +116,7 @@ void carry_out(const OperatorAction& action, Operator& the_operator, ExternalInp
   }
 }
 
-BallTruth TeamScore::count(BallTruth now, bool sides_changed) {
+BallTruth TeamScore::count(const BallTruth& now, bool sides_changed) {
   int at_positive_x = now.goals - last_.goals;
   int at_negative_x = now.opponents_goals - last_.opponents_goals;
   last_ = now;

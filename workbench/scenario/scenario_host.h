@@ -116,7 +116,7 @@ inline Pose2 in_axes_of_team(const Pose2& pose, bool sides_changed) { return sid
 /// the goals at positive and negative x.
 class TeamScore {
  public:
-  BallTruth count(BallTruth now, bool sides_changed);
+  BallTruth count(const BallTruth& now, bool sides_changed);
 
  private:
   BallTruth last_, team_;

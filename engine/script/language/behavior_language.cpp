@@ -106,6 +106,7 @@ Reorientation reorientation_named(std::string_view name) {
     if (to_string(one) == name) return one;
   }
   std::vector<std::string> known;
+  known.reserve(kAll.size());
   for (const Reorientation one : kAll) known.emplace_back(to_string(one));
   throw std::runtime_error("unknown command '" + std::string(name) + "'" + did_you_mean(std::string(name), known));
 }

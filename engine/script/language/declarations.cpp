@@ -201,27 +201,28 @@ void Declarations::note(const std::string& file, std::vector<DeclarationError> e
 void Declarations::read_parameter(lua_State* L, const Source& source) {
   const std::string key = lua_tostring(L, -2);
   const std::string word = source.word;
+  const std::string what = word + " " + key;
   if (!is_name(key))
     throw std::runtime_error("invalid name of " + std::string(source.is_argument ? "an argument" : "a param") + " '" +
                              key + "' (expected letters, digits and _)");
   if (lua_type(L, -1) != LUA_TTABLE)
-    throw std::runtime_error(word + " " + key + ": expected a table { default, range = { 0, 1 }, doc = \"...\" }");
+    throw std::runtime_error(what + ": expected a table { default, range = { 0, 1 }, doc = \"...\" }");
   DeclaredParameter parameter;
   parameter.key = key;
   parameter.is_argument = source.is_argument;
-  parameter.declaration = read_parameter_declaration(L, word + " " + key);
+  parameter.declaration = read_parameter_declaration(L, what);
   parameter.declaration.name = source.prefix + "." + key;
   require_printable(source.prefix, "the name of a script with parameters");
   for (const std::string& choice : parameter.declaration.choices)
-    require_printable(choice, "a choice of " + word + " " + key);
+    require_printable(choice, std::string("a choice of ").append(what));
   parse_parameter(parameter.declaration,
                   to_text(parameter.declaration.default_value));  // the default must lie within the range
   for (const DeclaredParameter& other : parameters) {
     if (other.declaration.name == parameter.declaration.name) {
-      throw std::runtime_error(word + " " + parameter.declaration.name + " is declared twice");
+      throw std::runtime_error(std::string(what).append(" is declared twice"));
     }
     if (other.key == key && other.is_argument != parameter.is_argument)
-      throw std::runtime_error(word + " " + key + ": the script has a param and an argument of this name");
+      throw std::runtime_error(std::string(what).append(": the script has a param and an argument of this name"));
   }
   parameters.push_back(std::move(parameter));
 }
@@ -259,7 +260,7 @@ int Declarations::read_parameters(lua_State* L, const Source& source) {
     try {
       read_parameter(L, source);
     } catch (const std::runtime_error& error) {
-      refused_.push_back(source.prefix + "." + lua_tostring(L, key));
+      refused_.push_back(std::string(source.prefix).append(".").append(lua_tostring(L, key)));
       const TextPosition from{source.line, 0};
       constexpr TextPosition kEnd{std::numeric_limits<int>::max(), 0};
       errors.push_back({places_of_(source.file).key(lua_tostring(L, key), from, kEnd).value_or(from), error.what()});

@@ -367,13 +367,13 @@ TEST_F(ScriptCalls, CirclesOfCallsAreRefused) {
 
 TEST_F(ScriptCalls, ManyCallsAreRefused) {
   // Each behavior runs two others: 2^7 of them.
+  const auto write_one = [&](const std::string& name, const std::string& next) {
+    write(name, "behavior \"" + name + "\" { initial = \"a\", state \"a\" { run \"l" + next + "\" {}, run \"r" + next +
+                    "\" {} } }");
+  };
   for (int level = 0; level < 7; ++level) {
-    const std::string next = std::to_string(level + 1);
-    for (const std::string side : {"l", "r"}) {
-      write(side + std::to_string(level), "behavior \"" + side + std::to_string(level) +
-                                              "\" { initial = \"a\", state \"a\" { run \"l" + next + "\" {}, run \"r" +
-                                              next + "\" {} } }");
-    }
+    const std::string number = std::to_string(level);
+    for (const char* const side : {"l", "r"}) write_one(side + number, std::to_string(level + 1));
   }
   for (const std::string side : {"l", "r"})
     write(side + "7", "behavior \"" + side + "7\" { initial = \"a\", state \"a\" {} }");

@@ -110,6 +110,7 @@ class MeasuredTrial : public testing::Test {
   }
   void measure(const std::vector<std::pair<MeasureType, std::string>>& names) {
     std::vector<Measure> measures;
+    measures.reserve(names.size());
     for (const auto& [type, name] : names) measures.push_back({type, name, ""});
     measures_.emplace(measures, trial_);
   }

@@ -32,6 +32,7 @@ std::vector<std::string> measurable_fields() {
 
 std::vector<std::string> commands() {
   std::vector<std::string> names;
+  names.reserve(enum_count(Reorientation()));
   for (int i = 0; i < enum_count(Reorientation()); ++i) names.emplace_back(to_string(static_cast<Reorientation>(i)));
   return names;
 }

@@ -84,6 +84,17 @@ int respond(mg_connection* connection, const ServedFile& file, bool with_text) {
   return respond(connection, 200, file.type, file.gzip, with_text, "Content-Encoding: gzip\r\n" + std::string(kVaries));
 }
 
+/// After the last message: the viewer reads it and ends the connection, too. To close a socket with unread bytes would
+/// reset the connection, and the viewer would lose what it has not read yet, such as the reason of the end.
+template <typename IsGivenUp>
+void end_gently(int socket, const IsGivenUp& is_given_up) {
+  constexpr int kStep = 20;  // ms
+  shutdown(socket, SHUT_WR);
+  for (pollfd ended{socket, POLLRDHUP, 0}; !is_given_up() && poll(&ended, 1, kStep) == 0;) {
+  }
+  shutdown(socket, SHUT_RDWR);
+}
+
 void send_messages(int socket, ViewerMailbox& mailbox) {
   become_batch_thread(kLiveNiceness);
   const auto is_given_up = [&mailbox] { return mailbox.is_given_up(); };
@@ -95,7 +106,7 @@ void send_messages(int socket, ViewerMailbox& mailbox) {
     if (message->shared && !send_all(socket, std::as_bytes(std::span(*message->shared)), is_given_up)) break;
   }
   mailbox.close_now(kGoingAway, "");  // nothing is collected for a viewer that is gone
-  shutdown(socket, SHUT_RDWR);
+  end_gently(socket, is_given_up);
 }
 
 /// Waits for bytes. Nothing: the connection has ended.
