@@ -258,7 +258,7 @@ TEST_F(PerceptsClient, IsRefusedForWhatTheProtocolDoesNotKnow) {
 }
 
 TEST_F(PerceptsClient, WithAWrongBlockInItsHelloIsRefused) {
-  const auto refusal = [&](std::vector<std::byte> after_lenses) {
+  const auto refusal = [&](const std::vector<std::byte>& after_lenses) {
     RawClient client(folder_.path() / "socket");
     client.introduce(hello(after_lenses));
     looks_ = 0;

@@ -118,7 +118,7 @@ class ExperimentReader {
           const toml::node& node = (*value.as_array())[at];
           const Measure measure{type, names[at], place_of(node)};
           if (const std::string mistake = mistake_in(measure); !mistake.empty())
-            in.refuse(node, "measure." + key + ": " + mistake);
+            in.refuse(node, std::string("measure.").append(key).append(": ").append(mistake));
           std::vector<Measure>& list = by_type[type];
           const auto is_same = [&](const Measure& other) { return other.name == measure.name; };
           if (std::none_of(list.begin(), list.end(), is_same)) list.push_back(measure);
