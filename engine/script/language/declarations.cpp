@@ -252,9 +252,8 @@ int Declarations::read_parameters(lua_State* L, const Source& source) {
   std::vector<DeclarationError> errors;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) {
-      const std::string word = source.word;
-      throw std::runtime_error("expected named " + word + (source.is_argument ? "" : "s") + ": " + word +
-                               " { name = { ... } }");
+      throw std::runtime_error(source.is_argument ? "expected named args: args { name = { ... } }"
+                                                  : "expected named params: param { name = { ... } }");
     }
     const int key = lua_gettop(L) - 1;
     try {
