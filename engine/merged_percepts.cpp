@@ -19,8 +19,6 @@ using Eigen::Vector3d;
 
 constexpr double kSamePlace = 0.5;     // m; two landmarks of one type are never so close together
 constexpr double kSameBearing = 0.08;  // rad; the two posts of a goal never appear so close together
-// As many as FieldPercept::reserve() has memory for.
-constexpr std::size_t kMostLinePoints = 600, kMostObstacles = 64, kMostLandmarks = 16, kMostMarks = 8;
 
 /// In (-pi/2, pi/2].
 double half_turn(double angle) {
@@ -153,7 +151,7 @@ class PerceptAdder {
       case PerceptType::penalty_mark:
         if (const auto seen = point(percept)) {
           std::vector<PenaltyMark>& marks = percepts_[seen->camera].penalty_marks;
-          if (marks.size() < kMostMarks)
+          if (marks.size() < FieldPercept::kMostPenaltyMarks)
             marks.push_back({seen->position, covariance(percept, *seen), seen->pixel.cast<float>()});
         }
         return;
@@ -161,7 +159,8 @@ class PerceptAdder {
       case PerceptType::person:
         for (std::size_t i = 0; i < percepts_.size(); ++i) {
           const std::optional<Obstacle> box = views_.box_in(percept, i);
-          if (box && percepts_[i].obstacles.size() < kMostObstacles) percepts_[i].obstacles.push_back(*box);
+          if (box && percepts_[i].obstacles.size() < FieldPercept::kMostObstacles)
+            percepts_[i].obstacles.push_back(*box);
         }
         return;
       default:  // later
@@ -171,7 +170,7 @@ class PerceptAdder {
 
   void add_line_point(const DetectedPoint& seen, double along) {
     std::vector<LinePoint>& points = percepts_[seen.camera].line_points;
-    if (points.size() < kMostLinePoints)
+    if (points.size() < FieldPercept::kMostLinePoints)
       points.push_back({seen.position, half_turn(along + 0.5 * kPi), seen.pixel.cast<float>()});
   }
 
@@ -194,7 +193,7 @@ class PerceptAdder {
 
   void add_post(const ExternalPercept& percept) {
     const auto seen = post_point(percept);
-    if (!seen || percepts_[seen->camera].goal_posts.size() >= kMostLandmarks) return;
+    if (!seen || percepts_[seen->camera].goal_posts.size() >= FieldPercept::kMostLandmarks) return;
     GoalPost post{.position = seen->position, .base_visible = !percept.base_hidden};
     post.base = post.top = seen->pixel.cast<float>();
     if (percept.space != PerceptSpace::ground) {
@@ -248,7 +247,7 @@ class PerceptAdder {
     intersection.direction = normalize_angle(*along);
     remove_own_intersections(intersection.position);
     std::vector<Intersection>& list = percepts_[seen->camera].intersections;
-    if (list.size() < kMostLandmarks) list.push_back(intersection);
+    if (list.size() < FieldPercept::kMostLandmarks) list.push_back(intersection);
   }
 
   /// Of the same intersection, if the field vision found it.

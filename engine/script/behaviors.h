@@ -30,7 +30,7 @@ class Behaviors {
   /// `arbiter`: the verdicts on their earlier commands; nullptr: none.
   void tick(const World& world, std::span<const Message> messages = {}, const Arbiter* arbiter = nullptr) {
     language_.actions().set_messages(messages);
-    language_.actions().set_verdicts(arbiter, host_.names(), world);
+    language_.actions().set_verdicts(arbiter, host_.names());
     values_.clear();
     append_world(world, values_);
     said_ = &host_.tick(world.time, values_);

@@ -31,6 +31,9 @@ struct CalledAs {
   std::string behavior;   ///< "walk_to": the name of its file and its machine
   std::string caller;     ///< name of the machine that runs it
   double priority = 0.0;  ///< of that machine
+
+  /// Of the machine: "striker/approach/walk_to".
+  std::string name() const { return caller + "/" + behavior; }
 };
 template <typename Visit, ConstOr<CalledAs> T>
 void fields(Visit&& visit, T& called) {

@@ -43,9 +43,6 @@ void check_arguments(const MachineDefinition& machine, const CallDefinition& cal
   }
 }
 
-/// A behavior after those that run it, as "striker/approach/striker".
-std::string chain_of(const CalledAs& called) { return called.caller + "/" + called.behavior; }
-
 bool is_call(const CallDefinition& call, const MachineDefinition& machine, const ScriptSlot& callee) {
   return callee.called->caller == machine.name && callee.called->behavior == call.behavior;
 }
@@ -91,7 +88,7 @@ void Script::name_as_called(const CalledAs& called) {
   }
   MachineDefinition& machine = declarations_->machines.front();
   machine.caller = called.caller;
-  machine.name = called.caller + "/" + called.behavior;
+  machine.name = called.name();
   machine.priority = called.priority;
 }
 
@@ -116,7 +113,7 @@ ParameterValue Script::argument_value(const ParameterDeclaration& argument, cons
   language_.actions().clear_running();
   if (fault) throw ScriptError(std::move(*fault));
   const std::optional<ParameterValue> value = parameter_value(sandbox_.state(), -1);
-  const std::string found = luaL_typename(sandbox_.state(), -1);
+  const char* const found = luaL_typename(sandbox_.state(), -1);
   lua_pop(sandbox_.state(), 1);
   if (!value) throw std::runtime_error(given.name + ": expected a value, found a " + found);
   return fitted_argument(argument, *value, OutOfRange::clamp);
@@ -148,47 +145,52 @@ void ScriptHost::compile_callees(ScriptSlot& slot, const Script& script, BundleH
                                  std::vector<Callee>& all) const {
   for (const MachineDefinition& machine : script.machines()) {
     for (const CallDefinition& call : machine.calls) {
-      const auto known = std::find_if(slot.callees.begin(), slot.callees.end(),
-                                      [&](const ScriptSlot* callee) { return is_call(call, machine, *callee); });
-      if (known != slot.callees.end()) {
-        check_arguments(machine, call, *(*known)->script);
-        continue;
-      }
-      const auto fresh = std::find_if(all.begin(), all.end(), [&](const Callee& callee) {
-        return callee.slot->caller == &slot && is_call(call, machine, *callee.slot);
-      });
-      if (fresh != all.end()) {
-        check_arguments(machine, call, *fresh->script);
-        continue;
-      }
-      const auto fail = [&](const std::string& message) {
-        throw error_at(machine, call.state, call.position, "run \"" + call.behavior + "\": " + message);
-      };
-      if (all.size() >= kMostCallees) fail("too many behaviors (expected at most 50 that one behavior runs)");
-      Callee callee{std::make_unique<ScriptSlot>(), nullptr};
-      callee.slot->file = script_file(language_.folder(), call.behavior);
-      callee.slot->called = CalledAs{call.behavior, machine.name, machine.priority};
-      callee.slot->caller = &slot;
-      for (const ScriptSlot* above = &slot; above != nullptr; above = above->caller) {
-        if (above->file == callee.slot->file) fail("it runs itself: " + chain_of(*callee.slot->called));
-      }
-      const std::vector<std::string> files = texts_.in_folder(language_.folder());
-      if (texts_.find(callee.slot->file) == nullptr) {
-        hashes[callee.slot->file] = std::nullopt;
-        fail("script not found" + did_you_mean(callee.slot->file, files));
-      }
-      try {
-        callee.script = compile(*callee.slot, callee.slot->read);
-      } catch (const ScriptError&) {
-        hashes.insert(callee.slot->read.begin(), callee.slot->read.end());
-        throw;
-      }
-      check_arguments(machine, call, *callee.script);
-      ScriptSlot& its_slot = *callee.slot;
-      const Script& its_script = *callee.script;
-      all.push_back(std::move(callee));
-      compile_callees(its_slot, its_script, hashes, all);
+      const Script* callee = known_callee(slot, machine, call, all);
+      const bool is_new = callee == nullptr;
+      if (is_new) callee = &compile_callee(slot, machine, call, hashes, all);
+      check_arguments(machine, call, *callee);
+      if (is_new) compile_callees(*all.back().slot, *callee, hashes, all);
     }
+  }
+}
+
+/// The script of a call of `slot` that runs, or was compiled into `all`; nullptr: neither.
+const Script* ScriptHost::known_callee(const ScriptSlot& slot, const MachineDefinition& machine,
+                                       const CallDefinition& call, const std::vector<Callee>& all) {
+  for (const ScriptSlot* const callee : slot.callees) {
+    if (is_call(call, machine, *callee)) return callee->script.get();
+  }
+  for (const Callee& callee : all) {
+    if (callee.slot->caller == &slot && is_call(call, machine, *callee.slot)) return callee.script.get();
+  }
+  return nullptr;
+}
+
+/// Appends the script of a call of `caller`.
+const Script& ScriptHost::compile_callee(ScriptSlot& caller, const MachineDefinition& machine,
+                                         const CallDefinition& call, BundleHashes& hashes,
+                                         std::vector<Callee>& all) const {
+  const auto fail = [&](const std::string& message) {
+    throw error_at(machine, call.state, call.position, "run \"" + call.behavior + "\": " + message);
+  };
+  if (all.size() >= kMostCallees) fail("too many behaviors (expected at most 50 that one behavior runs)");
+  auto slot = std::make_unique<ScriptSlot>();
+  slot->file = script_file(language_.folder(), call.behavior);
+  slot->called = CalledAs{call.behavior, machine.name, machine.priority};
+  slot->caller = &caller;
+  for (const ScriptSlot* above = &caller; above != nullptr; above = above->caller) {
+    if (above->file == slot->file) fail("it runs itself: " + slot->called->name());
+  }
+  if (texts_.find(slot->file) == nullptr) {
+    hashes[slot->file] = std::nullopt;
+    fail("script not found" + did_you_mean(slot->file, texts_.in_folder(language_.folder())));
+  }
+  try {
+    std::unique_ptr<Script> script = compile(*slot, slot->read);
+    return *all.emplace_back(Callee{std::move(slot), std::move(script)}).script;
+  } catch (const ScriptError&) {
+    hashes.insert(slot->read.begin(), slot->read.end());
+    throw;
   }
 }
 

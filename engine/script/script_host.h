@@ -113,6 +113,10 @@ class ScriptHost : public MachineDirectory {
 
   // Behaviors that others run (script_calls.cpp).
   void compile_callees(ScriptSlot& slot, const Script& script, BundleHashes& hashes, std::vector<Callee>& all) const;
+  static const Script* known_callee(const ScriptSlot& slot, const MachineDefinition& machine,
+                                    const CallDefinition& call, const std::vector<Callee>& all);
+  const Script& compile_callee(ScriptSlot& caller, const MachineDefinition& machine, const CallDefinition& call,
+                               BundleHashes& hashes, std::vector<Callee>& all) const;
   void take_in_callees(ScriptSlot& slot, std::vector<Callee>& callees);
   void remove(ScriptSlot& slot);
   void set_priorities(ScriptSlot& slot);

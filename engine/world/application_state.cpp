@@ -147,8 +147,8 @@ const RefusedAction* ApplicationState::refused(NameId machine, std::size_t actio
 
 void ApplicationState::rename(const NameTable& before, const NameTable& now) {
   for (RefusedAction& one : refused_) {
-    one.machine = now.find(before[one.machine]).value_or(kNoName);
-    one.outranked_by = now.find(before[one.outranked_by]).value_or(kNoName);
+    one.machine = renumbered(one.machine, before, now);
+    one.outranked_by = renumbered(one.outranked_by, before, now);
   }
   std::erase_if(refused_, [](const RefusedAction& one) { return one.machine == kNoName; });
 }

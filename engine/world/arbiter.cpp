@@ -81,7 +81,7 @@ void Arbiter::note_leases(std::span<const Lease> leases) {
 }
 
 void Arbiter::rename(const NameTable& before, const NameTable& now) {
-  const auto renamed = [&](NameId id) { return now.find(before[id]).value_or(kNoName); };
+  const auto renamed = [&](NameId id) { return renumbered(id, before, now); };
   for (Lease& lease : held_)
     lease.issuer = {renamed(lease.issuer.machine), renamed(lease.issuer.state), renamed(lease.issuer.reason)};
   for (LastVerdict& last : verdicts_) {

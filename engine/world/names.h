@@ -35,6 +35,10 @@ struct NameTable {
     return found == names.end() ? std::nullopt : std::optional(static_cast<NameId>(found - names.begin()));
   }
 };
+/// The number of the same name in another table; kNoName: it is not there.
+inline NameId renumbered(NameId id, const NameTable& before, const NameTable& now) {
+  return now.find(before[id]).value_or(kNoName);
+}
 template <typename Visit, ConstOr<NameTable> T>
 void fields(Visit&& visit, T& table) {
   visit(table.names);

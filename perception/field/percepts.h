@@ -117,13 +117,19 @@ struct FieldPercept {
   /// height if no field is in view in that column.
   std::vector<float> boundary;
 
+  // Numbers for which reserve() takes memory.
+  static constexpr std::size_t kMostLinePoints = 600;
+  static constexpr std::size_t kMostLandmarks = 16;  ///< goal posts, and intersections
+  static constexpr std::size_t kMostObstacles = 64;
+  static constexpr std::size_t kMostPenaltyMarks = 8;
+
   /// Reserves memory for nearly all that one image can show, so that later frames allocate nothing.
   void reserve() {
-    line_points.reserve(600);
-    goal_posts.reserve(16);
-    obstacles.reserve(64);
-    intersections.reserve(16);
-    penalty_marks.reserve(8);
+    line_points.reserve(kMostLinePoints);
+    goal_posts.reserve(kMostLandmarks);
+    obstacles.reserve(kMostObstacles);
+    intersections.reserve(kMostLandmarks);
+    penalty_marks.reserve(kMostPenaltyMarks);
     boundary.reserve(128);
   }
 

@@ -358,13 +358,17 @@ function verdict.fail(text) end
 experimenter = operator
 
 do
----Where the ball lies on the field, by the application's detector and the believed pose.
+---Where the ball lies on the field, by the application's detector and the believed pose, and whether it is in play.
 ---@class lib.ball
 local library = {}
 
 --- Whether the position of the ball is known: seen not long ago.
 ---@return boolean
 function library.is_known() end
+
+--- Whether the referee lets the robots play, or there is no referee.
+---@return boolean
+function library.is_in_play() end
 
 --- The position on the field. Call it only while the ball is known.
 ---@return number x m, toward the opponents' goal

@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: MIT
 
 local walking = require "lib.walk"
+local ball_library = require "lib.ball"
 
 local p = param {
   distance = { 0.22, range = { 0.1, 1 }, unit = "m", doc = "distance of the ball in front of the robot when it has arrived" },
@@ -26,9 +27,9 @@ local memory = keep { teammate_distance = FAR, heard_at = -1000.0, sent_at = -10
 
 local function clamp(value, limit) return math.max(-limit, math.min(limit, value)) end
 
-local function knows_ball() return input.valid.ball.position end
+local knows_ball = ball_library.is_known
 
-local function may_play() return robot.may_walk and robot.can_walk and (game.state == "playing" or game.state == "unknown") end
+local function may_play() return robot.may_walk and robot.can_walk and ball_library.is_in_play() end
 
 local function listen()
   for which = 1, team.heard() do
@@ -52,10 +53,7 @@ end
 
 -- Direction from the ball to the opponents' goal in the robot's frame (rad), by the believed pose.
 local function direction_of_kick()
-  local ball = input.ball.position
-  local cosine, sine = math.cos(pose.rotation), math.sin(pose.rotation)
-  local x = pose.x + cosine * ball.x - sine * ball.y
-  local y = pose.y + sine * ball.x + cosine * ball.y
+  local x, y = ball_library.on_field()
   return walking.normalize(math.atan(-y, field.length / 2 - x) - pose.rotation)
 end
 

@@ -29,11 +29,9 @@ local function place_y() return p.distance * math.sin(direction()) end
 
 local function is_off_its_place() return not walking.is_near(place_x(), place_y(), p.slack) end
 
-local function may_play() return game.state == "playing" or game.state == "unknown" end
+local function ball_comes_near() return ball.is_in_play() and ball.is_known() and input.ball.distance < p.near end
 
-local function ball_comes_near() return may_play() and ball.is_known() and input.ball.distance < p.near end
-
-local function ball_is_gone() return not ball.is_known() or input.ball.distance > p.safe or not may_play() end
+local function ball_is_gone() return not ball.is_known() or input.ball.distance > p.safe or not ball.is_in_play() end
 
 behavior "goalkeeper" {
   priority = 35,

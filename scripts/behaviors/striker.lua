@@ -5,6 +5,8 @@
 
 -- SPDX-License-Identifier: MIT
 
+local ball = require "lib.ball"
+
 local p = param {
   place_x = { -1.0, range = { -10, 0 },  unit = "m", doc = "where to wait for the kick-off, toward the opponents' goal" },
   place_y = { 0.0,  range = { -10, 10 }, unit = "m", doc = "where to wait for the kick-off, to the left" },
@@ -12,15 +14,13 @@ local p = param {
 
 local function is_before_kick_off() return game.state == "ready" end
 
-local function may_play() return game.state == "playing" or game.state == "unknown" end
-
 behavior "striker" {
   priority = 35,
   initial = "waiting",
   common = {
     { "going to its place", when = is_before_kick_off, because = "the game begins soon" },
-    { "playing", when = may_play, because = "the ball is in play" },
-    { "waiting", when = function() return not may_play() and not is_before_kick_off() end,
+    { "playing", when = ball.is_in_play, because = "the ball is in play" },
+    { "waiting", when = function() return not ball.is_in_play() and not is_before_kick_off() end,
       because = "the robots must stand still" },
   },
 

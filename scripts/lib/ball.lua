@@ -1,4 +1,4 @@
---- Where the ball lies on the field, by the application's detector and the believed pose.
+--- Where the ball lies on the field, by the application's detector and the believed pose, and whether it is in play.
 
 -- SPDX-License-Identifier: MIT
 
@@ -7,6 +7,10 @@ local ball_library = {}
 --- Whether the position of the ball is known: seen not long ago.
 ---@return boolean
 function ball_library.is_known() return input.valid.ball.position end
+
+--- Whether the referee lets the robots play, or there is no referee.
+---@return boolean
+function ball_library.is_in_play() return game.state == "playing" or game.state == "unknown" end
 
 --- The position on the field. Call it only while the ball is known.
 ---@return number x m, toward the opponents' goal

@@ -151,7 +151,7 @@ std::string BehaviorActions::command_reason(std::string_view command) {
 
 double BehaviorActions::command_wait(std::string_view command) {
   const Reorientation reorientation = reorientation_named(command);
-  return arbiter_ == nullptr || world_ == nullptr ? 0.0 : arbiter_->wait(reorientation, world_->time);
+  return arbiter_ == nullptr ? 0.0 : arbiter_->wait(reorientation, time());
 }
 
 std::int64_t BehaviorActions::command_refusals(std::string_view command) {

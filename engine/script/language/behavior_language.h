@@ -15,7 +15,6 @@
 #include "engine/world/application_state.h"
 #include "engine/world/arbiter.h"
 #include "engine/world/commands.h"
-#include "engine/world/world.h"
 #include "robots/robot.h"
 
 namespace reorient {
@@ -36,10 +35,9 @@ class BehaviorActions : public ScriptActions {
   void set_messages(std::span<const Message> messages) { heard_ = messages; }
 
   /// Sets what the next frame reads about earlier commands. All must outlive it.
-  void set_verdicts(const Arbiter* arbiter, const Names& names, const World& world) {
+  void set_verdicts(const Arbiter* arbiter, const Names& names) {
     arbiter_ = arbiter;
     names_ = &names;
-    world_ = &world;
   }
 
   /// Of a machine, in messages.
@@ -83,7 +81,6 @@ class BehaviorActions : public ScriptActions {
   std::span<const Message> heard_;
   const Arbiter* arbiter_ = nullptr;
   const Names* names_ = nullptr;
-  const World* world_ = nullptr;
   const Machine* sender_ = nullptr;  ///< of the latest message of the frame
   std::size_t sent_ = 0;             ///< messages of this sender in the frame
   double head_priority_ = -std::numeric_limits<double>::infinity();

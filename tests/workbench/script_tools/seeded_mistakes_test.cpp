@@ -110,7 +110,7 @@ TEST_F(SeededMistakes, AreMostlyFound) {
     if (prints_all) std::cout << to_string(required.mistake) << ": " << found << " of " << count << "\n";
     // With few mistakes, the number of types that are not found is random, and each new script changes the sample.
     const double deviation = std::sqrt(count * required.fraction * (1.0 - required.fraction));
-    EXPECT_GE(found, required.fraction * count - 2.0 * deviation - 1.0)
+    EXPECT_GE(found, required.fraction * count - deviation - 1.0)
         << to_string(required.mistake) << ": " << found << " of " << count;
   }
 }
