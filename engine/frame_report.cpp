@@ -23,6 +23,7 @@ void FrameLoop::complete_record(const Observation& observation, const Decision& 
   record_.commands.assign(decision.arbitration.commands.begin(), decision.arbitration.commands.end());
   record_.begun.assign(decision.arbitration.begun.begin(), decision.arbitration.begun.end());
   record_.leases.assign(behaviors_.leases().begin(), behaviors_.leases().end());
+  record_.claims.assign(behaviors_.claims().begin(), behaviors_.claims().end());
   record_.application.take(carried_.application);
 
   if (record_.filled.has(Topic::images)) {

@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x4665746174537252ull;  // "RrStateF": change it with the layout
+constexpr std::uint64_t kStateMagic = 0x4765746174537252ull;  // "RrStateG": change it with the layout
 
 bool is_possible(const CameraOptics& camera) {
   constexpr int kMostPixels = 10'000;
@@ -63,7 +63,7 @@ template <typename Archive>
 void FrameLoop::archive(Archive& archive, auto& self) {
   archive(self.field_vision_, self.localizer_, self.arbiter_, self.posture_, self.repeated_pose_,
           self.carried_.get_up_requested, self.carried_.external, self.carried_.world, self.carried_.odometry,
-          self.carried_.application);
+          self.carried_.application, self.behaviors_);
   if (self.room_) archive(*self.room_);
 }
 

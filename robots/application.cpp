@@ -136,6 +136,11 @@ std::string mistake_in_action(const DeclaredAction& action) {
   if (!is_word(action.name)) return "expected a name such as kick";
   if (!std::isfinite(action.takes) || action.takes < 0.0)
     return "takes: expected a time of at least 0 s, found " + number_text(action.takes);
+  if (action.parts.size() > kMostParts)
+    return "parts: expected at most " + std::to_string(kMostParts) + ", found " + std::to_string(action.parts.size());
+  for (const std::string& part : action.parts) {
+    if (!is_word(part)) return "parts: expected names such as legs, found " + quoted(part);
+  }
   return mistake_in_fields(action.arguments);
 }
 
@@ -151,6 +156,16 @@ std::string_view to_string(ActionState state) {
   constexpr std::string_view kNames[] = {"idle", "requested", "running", "done", "failed"};
   static_assert(std::size(kNames) == enum_count(ActionState()));
   return kNames[static_cast<std::size_t>(state)];
+}
+
+std::vector<std::string> body_parts(const ApplicationInterface& declared) {
+  std::vector<std::string> all{"head", "legs", "arms", "voice", "leds"};
+  for (const DeclaredAction& action : declared.actions) {
+    for (const std::string& part : action.parts) {
+      if (std::find(all.begin(), all.end(), part) == all.end()) all.push_back(part);
+    }
+  }
+  return all;
 }
 
 std::size_t numbers_of(FieldType type) {
@@ -234,6 +249,9 @@ std::string mistake_in(const ApplicationInterface& declared) {
     std::string mistake = mistake_in_action(action);
     if (mistake.empty() && !names.insert(action.name).second) mistake = "it is declared twice";
     if (!mistake.empty()) return "action " + quoted(action.name) + ": " + mistake;
+  }
+  if (const std::size_t parts = body_parts(declared).size(); parts > kMostBodyParts) {
+    return "expected at most " + std::to_string(kMostBodyParts) + " parts of the body, found " + std::to_string(parts);
   }
   return "";
 }

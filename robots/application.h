@@ -75,11 +75,12 @@ struct DeclaredAction {
   /// s. Without reports, the action is done after this time. With reports, it has failed if it does not end in this
   /// time; 0: it may take any time.
   double takes = 0.0;
-  bool reports = false;  ///< the application reports whether the action runs, is done or has failed
+  bool reports = false;              ///< the application reports whether the action runs, is done or has failed
+  std::vector<std::string> parts{};  ///< of the body that it moves, for as long as it runs: "legs", or its own "tail"
 };
 template <typename Visit, ConstOr<DeclaredAction> T>
 void fields(Visit&& visit, T& action) {
-  visit(action.name, action.description, action.arguments, action.takes, action.reports);
+  visit(action.name, action.description, action.arguments, action.takes, action.reports, action.parts);
 }
 
 struct ApplicationInterface {
@@ -93,8 +94,13 @@ template <typename Visit, ConstOr<ApplicationInterface> T>
 void fields(Visit&& visit, T& declared) {
   visit(declared.name, declared.values, declared.actions);
 }
-inline constexpr std::size_t kMostValues = 256, kMostActions = 64, kMostFields = 32, kMostChoices = 64;
+inline constexpr std::size_t kMostValues = 256, kMostActions = 64, kMostFields = 32, kMostChoices = 64, kMostParts = 8,
+                             kMostBodyParts = 64;
 inline constexpr std::uint32_t kMostRecords = 64;
+
+/// Names of the parts of the body: those that every robot may have, the head and the legs first, then those of the
+/// actions.
+std::vector<std::string> body_parts(const ApplicationInterface& declared);
 
 /// One line about the first mistake in the declarations, or an empty text.
 std::string mistake_in(const ApplicationInterface& declared);
@@ -151,6 +157,9 @@ enum class ActionState {
   failed
 };
 constexpr int enum_count(ActionState) { return 5; }
+constexpr bool is_under_way(ActionState state) {
+  return state == ActionState::requested || state == ActionState::running;
+}
 
 /// "running": the name in scripts.
 std::string_view to_string(ActionState state);

@@ -29,6 +29,7 @@ stds.reorient = { read_globals = {
   state = {},
   time_in_state = {},
   application = fields("set", "state", "argument", "report"),
+  body = fields("claim", "holder", "rival"),
   chance = fields("between"),
   clock = fields("time", "step", "frame"),
   command = fields("flip_pose", "purge_reflection", "reset_orientation", "pause_training", "pause_evaluation", "state", "reason", "wait", "refusals"),

@@ -17,6 +17,7 @@
 #include "engine/script/script_host.h"
 #include "engine/script/script_output.h"
 #include "engine/world/application_state.h"
+#include "engine/world/body_claims.h"
 #include "engine/world/commands.h"
 #include "engine/world/names.h"
 #include "engine/world/world.h"
@@ -193,6 +194,7 @@ struct FrameRecord {
   std::optional<ReorientationRecord> reorientation;
 
   Answer answer;
+  std::vector<PartClaim> claims;  ///< which behavior moves which part of the body, and which one did not get it
 
   std::optional<PostureChange> posture_change;
   std::vector<LogRecord> logs;

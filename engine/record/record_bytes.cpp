@@ -6,9 +6,9 @@
 namespace reorient {
 namespace {
 
-/// "RRFC". Change it, and the format of recordings, with the content of a topic that is always filled. Recordings
+/// "RRFD". Change it, and the format of recordings, with the content of a topic that is always filled. Recordings
 /// contain no other topics.
-constexpr std::uint32_t kRecordMagic = 0x43465252;
+constexpr std::uint32_t kRecordMagic = 0x44465252;
 
 /// One topic's content, the same for writing and reading.
 template <typename Archive>
@@ -25,7 +25,7 @@ void visit_topic(Archive& archive, Topic topic, auto& record) {
     case Topic::commands:
       return archive(record.commands, record.leases, record.begun, record.reorientation);
     case Topic::answer:
-      return archive(record.answer);
+      return archive(record.answer, record.claims);
     case Topic::events:
       return archive(record.posture_change, record.logs, record.faults, record.reloads, record.parameter_changes);
     case Topic::application:

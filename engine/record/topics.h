@@ -44,7 +44,7 @@ inline constexpr std::array<TopicInfo, kTopicCount> kTopics{{
     {Topic::percepts, "percepts", "observations of the field per camera"},
     {Topic::machines, "machines", "states of all machines, changes of state, published flags"},
     {Topic::commands, "commands", "commands of behaviors with verdicts; pauses; the reorientation"},
-    {Topic::answer, "answer", "requests to the robot"},
+    {Topic::answer, "answer", "requests to the robot, and which behavior has which part of the body"},
     {Topic::events, "events", "changes of posture, log lines, faults of scripts, reloads, changed parameters"},
     {Topic::application, "application", "values and actions of the application; empty if it declares none"},
     {Topic::images, "images", "the cameras' pixels", false},

@@ -86,7 +86,7 @@ void Script::add_globals(const MachineDirectory& directory) {
   add_behavior_view(L, directory);
   if (language_.kind() == ScriptKind::behavior) add_called_view(L, directory, language_.actions());
   declarations_ = std::make_unique<Declarations>(
-      L, language_.kind() == ScriptKind::scenario,
+      L, language_.kind() == ScriptKind::scenario, language_.body_parts(),
       [this](const std::string& name) -> const SourceLocations& {
         constexpr std::size_t kLettersPerInstruction = 32;
         const ScriptText* const text = texts_->find(name);

@@ -30,14 +30,14 @@ using BundleHashes = std::map<std::string, std::optional<std::uint64_t>>;
 struct CalledAs {
   std::string behavior;   ///< "walk_to": the name of its file and its machine
   std::string caller;     ///< name of the machine that runs it
-  double priority = 0.0;  ///< of that machine
+  Priorities priorities;  ///< of that machine
 
   /// Of the machine: "striker/approach/walk_to".
   std::string name() const { return caller + "/" + behavior; }
 };
 template <typename Visit, ConstOr<CalledAs> T>
 void fields(Visit&& visit, T& called) {
-  visit(called.behavior, called.caller, called.priority);
+  visit(called.behavior, called.caller, called.priorities);
 }
 
 class Script : public MachineCallbacks {
@@ -56,7 +56,7 @@ class Script : public MachineCallbacks {
   void intern(Names& names);
   std::vector<ParameterDeclaration> parameters() const;
   std::vector<ParameterDeclaration> arguments() const;
-  void set_priority(double priority);
+  void set_priorities(const Priorities& priorities);
   /// Sets every argument: to the value that is given, or to its default. A function is called in `caller`, whose
   /// machine is in `state`. Throws ScriptError of the caller.
   void take_arguments(std::span<const CallArgument> given, Script& caller, Machine& machine, int state);

@@ -89,10 +89,10 @@ void Script::name_as_called(const CalledAs& called) {
   MachineDefinition& machine = declarations_->machines.front();
   machine.caller = called.caller;
   machine.name = called.name();
-  machine.priority = called.priority;
+  machine.priorities = called.priorities;
 }
 
-void Script::set_priority(double priority) { declarations_->machines.front().priority = priority; }
+void Script::set_priorities(const Priorities& priorities) { declarations_->machines.front().priorities = priorities; }
 
 std::vector<ParameterDeclaration> Script::arguments() const {
   std::vector<ParameterDeclaration> all;
@@ -176,7 +176,7 @@ const Script& ScriptHost::compile_callee(ScriptSlot& caller, const MachineDefini
   if (all.size() >= kMostCallees) fail("too many behaviors (expected at most 50 that one behavior runs)");
   auto slot = std::make_unique<ScriptSlot>();
   slot->file = script_file(language_.folder(), call.behavior);
-  slot->called = CalledAs{call.behavior, machine.name, machine.priority};
+  slot->called = CalledAs{call.behavior, machine.name, machine.priorities};
   slot->caller = &caller;
   for (const ScriptSlot* above = &caller; above != nullptr; above = above->caller) {
     if (above->file == slot->file) fail("it runs itself: " + slot->called->name());
@@ -224,8 +224,8 @@ void ScriptHost::remove(ScriptSlot& slot) {
 /// Called behaviors have the priorities of their callers.
 void ScriptHost::set_priorities(ScriptSlot& slot) {
   for (ScriptSlot* const callee : slot.callees) {
-    callee->called->priority = slot.machine_named(callee->called->caller)->definition().priority;
-    callee->script->set_priority(callee->called->priority);
+    callee->called->priorities = slot.machine_named(callee->called->caller)->definition().priorities;
+    callee->script->set_priorities(callee->called->priorities);
     set_priorities(*callee);
   }
 }

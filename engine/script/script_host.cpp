@@ -124,7 +124,7 @@ std::vector<std::string> ScriptHost::swap_in(ScriptSlot& slot, std::unique_ptr<S
   }
   slot.machines = std::move(machines);
   slot.script.swap(script);
-  if (slot.called) slot.script->set_priority(slot.called->priority);
+  if (slot.called) slot.script->set_priorities(slot.called->priorities);
   slot.swapped_at = time_;
   slot.recent_errors = 0;
   slot.stopped = false;

@@ -14,8 +14,6 @@ namespace {
 // As in the state machines: thirty frames of 1/30 s count as one second.
 constexpr double kRounding = 1e-6;
 
-bool is_under_way(ActionState state) { return state == ActionState::requested || state == ActionState::running; }
-
 void enter(ActionStatus& status, ActionState state, double time, std::string reason = {}) {
   if (state != status.state) status.since = time;
   status.state = state;
@@ -106,7 +104,9 @@ void ApplicationState::start(std::span<const ActionRequest> requests, double tim
       return other.request.action == request.action && other.verdict == Verdict::granted;
     });
     Verdict verdict = runs ? Verdict::too_soon : Verdict::granted;
-    if (rival != records_.end()) {  // at a tie the first wins
+    if (request.outranked_by != kNoName) {
+      verdict = Verdict::outranked;
+    } else if (rival != records_.end()) {  // at a tie the first wins
       const bool wins = request.priority > rival->request.priority;
       (wins ? rival->verdict : verdict) = Verdict::outranked;
     }
@@ -130,7 +130,9 @@ void ApplicationState::note_refusals(std::span<const ActionRequest> requests, do
     const auto winner = std::find_if(records_.begin(), records_.end(), [&](const ActionRecord& other) {
       return other.request.action == record.request.action && other.verdict == Verdict::granted;
     });
-    const NameId by = winner == records_.end() ? kNoName : winner->request.issuer.machine;
+    const NameId by = record.request.outranked_by != kNoName ? record.request.outranked_by
+                      : winner == records_.end()             ? kNoName
+                                                             : winner->request.issuer.machine;
     const NameId machine = record.request.issuer.machine;
     // A behavior that requests an action twice has outranked itself.
     if (by != machine && refused(machine, record.request.action) == nullptr)
@@ -146,6 +148,11 @@ const RefusedAction* ApplicationState::refused(NameId machine, std::size_t actio
 }
 
 void ApplicationState::rename(const NameTable& before, const NameTable& now) {
+  for (ActionStatus& status : actions_) {
+    Issuer& issuer = status.issuer;
+    issuer = {renumbered(issuer.machine, before, now), renumbered(issuer.state, before, now),
+              renumbered(issuer.reason, before, now)};
+  }
   for (RefusedAction& one : refused_) {
     one.machine = renumbered(one.machine, before, now);
     one.outranked_by = renumbered(one.outranked_by, before, now);
@@ -156,7 +163,14 @@ void ApplicationState::rename(const NameTable& before, const NameTable& now) {
 void ApplicationState::begin(const ActionRequest& request, double time) {
   ActionStatus& status = actions_[request.action];
   const bool reports = declared_->actions[request.action].reports;
-  status = {++last_id_, reports ? ActionState::requested : ActionState::running, time, time, {}, request.arguments};
+  status = {++last_id_,
+            reports ? ActionState::requested : ActionState::running,
+            time,
+            time,
+            {},
+            request.arguments,
+            request.issuer,
+            request.priority};
   started_.push_back({status.id, request.action, request.arguments});
 }
 

@@ -36,21 +36,25 @@ struct ActionStatus {
   double started_at = 0.0;  ///< s
   std::string reason;       ///< of a failure
   FieldData arguments;
+  Issuer issuer;
+  double priority = 0.0;  ///< of the issuer
 };
 template <typename Visit, ConstOr<ActionStatus> T>
 void fields(Visit&& visit, T& status) {
-  visit(status.id, status.state, status.since, status.started_at, status.reason, status.arguments);
+  visit(status.id, status.state, status.since, status.started_at, status.reason, status.arguments, status.issuer,
+        status.priority);
 }
 
 struct ActionRequest {
   std::uint16_t action = 0;  ///< index in ApplicationInterface::actions
   FieldData arguments;       ///< that fit the declaration
   Issuer issuer;
-  double priority = 0.0;  ///< of the behavior; the greater wins
+  double priority = 0.0;          ///< of the behavior; the greater wins
+  NameId outranked_by = kNoName;  ///< the machine that has a part of the body which the action moves
 };
 template <typename Visit, ConstOr<ActionRequest> T>
 void fields(Visit&& visit, T& request) {
-  visit(request.action, request.arguments, request.issuer, request.priority);
+  visit(request.action, request.arguments, request.issuer, request.priority, request.outranked_by);
 }
 
 /// A request and its result in the same frame: granted, outranked, or too soon because the action still runs.

@@ -3,7 +3,7 @@
 -- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` regenerates it.
 
 ---@class reorient.State
----@field priority? number
+---@field priority? number|table
 ---@field initial? string
 ---@field history? boolean
 ---@field publishes? string
@@ -215,6 +215,23 @@ motion = {}
 
 ---Gets up after a fall. Valid for one frame.
 function motion.get_up() end
+
+---@class reorient.body
+body = {}
+
+---Claims a part of the body, such as "legs", without moving it: behaviors with a smaller priority do not get it. Valid for one frame.
+---@param part string
+function body.claim(part) end
+
+---Name of the behavior that had the part in the last frame; empty if none had it.
+---@param part string
+---@return string
+function body.holder(part) end
+
+---Name of the behavior that had the part in the last frame although this one requested it, too; empty if this one was not refused.
+---@param part string
+---@return string
+function body.rival(part) end
 
 ---@class reorient.team
 team = {}
@@ -523,7 +540,7 @@ function args(declarations) end
 ---@return T memory
 function keep(defaults) end
 
----Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with equal priorities, the one that was loaded first. `initial`: the first state. `common`: transitions from any state, not taken while their target is active.
+---Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with equal priorities, the one that was loaded first. `priority = { 50, head = 60 }`: another one for a part of the body. `initial`: the first state. `common`: transitions from any state, not taken while their target is active.
 ---@param name string
 ---@return fun(body: reorient.State)
 function behavior(name) end

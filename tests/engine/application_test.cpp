@@ -413,6 +413,17 @@ TEST(ApplicationInterface, MistakesAreNamed) {
             "action 'kick': 'foot' is declared twice");
   EXPECT_EQ(mistake([](auto& d) { d.actions[0].takes = -1.0; }),
             "action 'kick': takes: expected a time of at least 0 s, found -1");
+  EXPECT_EQ(mistake([](auto& d) {
+              d.actions[0].parts = {"legs", "left leg"};
+            }),
+            "action 'kick': parts: expected names such as legs, found 'left leg'");
+  EXPECT_EQ(mistake([](auto& d) { d.actions[0].parts.assign(9, "legs"); }),
+            "action 'kick': parts: expected at most 8, found 9");
+  EXPECT_EQ(mistake([](auto& d) {
+              for (int i = 0; i < 60; ++i)
+                d.actions.push_back({"a" + std::to_string(i), "", {}, 1.0, false, {"part" + std::to_string(i)}});
+            }),
+            "expected at most 64 parts of the body, found 65");
   FrameSetup setup;
   setup.application = soccer();
   setup.application.values[0].name = "x y";

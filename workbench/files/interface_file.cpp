@@ -84,6 +84,7 @@ class InterfaceReader {
     in.read_all({{"description", text_into(in, action.description)}},
                 {{"takes", in.into(action.takes, 0.0, 3600.0)},
                  {"reports", [&](auto& key, auto& node) { action.reports = in.yes(key, node); }},
+                 {"parts", [&](auto& key, auto& node) { action.parts = in.texts(key, node); }},
                  {"arguments",
                   [&](auto& key, auto& node) { action.arguments = read_fields(in.table(key, node), key, true); }}});
     return action;

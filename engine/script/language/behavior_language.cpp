@@ -58,6 +58,14 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
                                      "Walks with this velocity (m/s, m/s, rad/s to the left). Valid for one frame."),
       script_function<&A::stand>("walk.stand", {}, "Stands still; counts as a walk request. Valid for one frame."),
       script_function<&A::get_up>("motion.get_up", {}, "Gets up after a fall. Valid for one frame."),
+      script_function<&A::claim>("body.claim", {"part"},
+                                 "Claims a part of the body, such as \"legs\", without moving it: behaviors with a "
+                                 "smaller priority do not get it. Valid for one frame."),
+      script_function<&A::holder>("body.holder", {"part"},
+                                  "Name of the behavior that had the part in the last frame; empty if none had it."),
+      script_function<&A::rival>("body.rival", {"part"},
+                                 "Name of the behavior that had the part in the last frame although this one requested "
+                                 "it, too; empty if this one was not refused."),
       script_function<&A::heard>("team.heard", {}, "Number of messages received from teammates in this frame."),
       script_function<&A::sender_of>("team.sender", {"which"},
                                      "Player number of the sender of this message (1 is the first message)."),
@@ -75,6 +83,15 @@ std::span<const ScriptFunction> BehaviorLanguage::functions() const {
   return functions;
 }
 
+BehaviorActions::BehaviorActions(const ApplicationState& application)
+    : application_(application), parts_(body_parts(application.declared())) {
+  for (const DeclaredAction& action : application.declared().actions) {
+    BodyParts parts = 0;
+    for (const std::string& part : action.parts) parts |= only(part_named(part));
+    action_parts_.push_back(parts);
+  }
+}
+
 void BehaviorActions::begin_frame(ScriptOutput& output, double time) {
   ScriptActions::begin_frame(output, time);
   output_.commands.clear();
@@ -82,14 +99,20 @@ void BehaviorActions::begin_frame(ScriptOutput& output, double time) {
   output_.messages.clear();
   output_.actions.clear();
   sender_ = nullptr;
-  head_priority_ = -std::numeric_limits<double>::infinity();
-  walk_priority_ = -std::numeric_limits<double>::infinity();
+  requests_.clear();
+  uses_.clear();
+  for (std::size_t i = 0; i < action_parts_.size(); ++i) {
+    const ActionStatus& status = application_.actions()[i];
+    const bool holds = action_parts_[i] != 0 && is_under_way(status.state) && status.issuer.machine != kNoName;
+    if (holds) requests_.push_back({action_parts_[i], status.issuer, status.priority});
+  }
+  held_ = requests_.size();
 }
 
 void BehaviorActions::reorient_by(Reorientation reorientation) {
   require_acting();
   count_action();
-  output_.commands.push_back({reorientation, issuer(), machine().definition().priority});
+  output_.commands.push_back({reorientation, issuer(), machine().definition().priorities.all});
 }
 
 void BehaviorActions::pause(Pause pause) {
@@ -162,27 +185,78 @@ std::int64_t BehaviorActions::command_refusals(std::string_view command) {
 void BehaviorActions::request(std::uint16_t action, FieldData arguments) {
   require_acting();
   count_action();
-  output_.actions.push_back({action, std::move(arguments), issuer(), machine().definition().priority});
+  const ActionStatus& status = application_.actions()[action];
+  const bool continues = is_under_way(status.state) && status.arguments == arguments;
+  if (!continues) request_parts(action_parts_[action], output_.actions.size());
+  output_.actions.push_back(
+      {action, std::move(arguments), issuer(), machine().definition().priorities.of(action_parts_[action])});
 }
 
 void BehaviorActions::look(double yaw, double pitch, std::optional<double> speed) {
   require_acting();
   if (speed && *speed <= 0.0) throw std::runtime_error("head.look: expected a speed above 0 rad/s");
-  const double priority = machine().definition().priority;
-  if (!(priority > head_priority_)) return;
-  head_priority_ = priority;
   HeadRequest request;
   request.angles = {yaw, pitch};
   if (speed) request.speed = *speed;
-  output_.request.head = request;
+  request_parts(only(kHead), request);
 }
 
 void BehaviorActions::walk_with(double forward, double left, double turn) {
   require_acting();
-  const double priority = machine().definition().priority;
-  if (!(priority > walk_priority_)) return;
-  walk_priority_ = priority;
-  output_.request.walk = {forward, left, turn};
+  request_parts(only(kLegs), WalkVelocity{forward, left, turn});
+}
+
+/// Without parts the request needs no decision. Of the motions of a part that a behavior requests, the first counts.
+void BehaviorActions::request_parts(BodyParts parts, Use use) {
+  if (parts == 0) return;
+  const Issuer self = issuer();
+  const bool is_action = std::holds_alternative<std::size_t>(use);
+  for (std::size_t i = requests_.size(); !is_action && i-- > held_ && requests_[i].issuer.machine == self.machine;) {
+    if (requests_[i].parts == parts && uses_[i - held_].index() == use.index()) return;
+  }
+  requests_.push_back({parts, self, machine().definition().priorities.of(parts)});
+  uses_.push_back(use);
+}
+
+BodyPart BehaviorActions::part_named(std::string_view name) const {
+  const auto found = std::find(parts_.begin(), parts_.end(), name);
+  if (found == parts_.end())
+    throw std::runtime_error("unknown part of the body '" + std::string(name) + "'" + did_you_mean(name, parts_));
+  return static_cast<BodyPart>(found - parts_.begin());
+}
+
+void BehaviorActions::share_body(BodyClaims& claims) {
+  claims.decide(requests_);
+  for (std::size_t i = 0; i < uses_.size(); ++i) {
+    const NameId rival = requests_[held_ + i].outranked_by;
+    const Use& use = uses_[i];
+    if (const auto* const action = std::get_if<std::size_t>(&use)) {
+      output_.actions[*action].outranked_by = rival;
+    } else if (rival != kNoName) {
+      continue;
+    } else if (const auto* const head = std::get_if<HeadRequest>(&use)) {
+      output_.request.head = *head;
+    } else if (const auto* const walk = std::get_if<WalkVelocity>(&use)) {
+      output_.request.walk = *walk;
+    }
+  }
+}
+
+void BehaviorActions::claim(std::string_view part) {
+  require_acting();
+  request_parts(only(part_named(part)));
+}
+
+std::string_view BehaviorActions::holder(std::string_view part) {
+  const BodyPart known = part_named(part);
+  if (is_loading()) throw std::runtime_error("body: no behavior runs while a script is loaded");
+  return name_of(claims_->holder(known));
+}
+
+std::string_view BehaviorActions::rival(std::string_view part) {
+  const BodyPart known = part_named(part);
+  if (is_loading()) throw std::runtime_error("body: no behavior runs while a script is loaded");
+  return name_of(claims_->rival(known, machine().definition().name_id));
 }
 
 void BehaviorActions::get_up() {

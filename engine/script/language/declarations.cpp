@@ -120,8 +120,13 @@ void Declarations::add(const char* name) {
   lua_setglobal(lua_, name);
 }
 
-Declarations::Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, Preview preview)
-    : lua_(L), is_scenario_(is_scenario), places_of_(std::move(places_of)), preview_(std::move(preview)) {
+Declarations::Declarations(lua_State* L, bool is_scenario, std::vector<std::string> body_parts, PlacesOf places_of,
+                           Preview preview)
+    : lua_(L),
+      is_scenario_(is_scenario),
+      body_parts_(std::move(body_parts)),
+      places_of_(std::move(places_of)),
+      preview_(std::move(preview)) {
   add<&Declarations::param>("param");
   if (!is_scenario) add<&Declarations::args>("args");
   add<&Declarations::keep>("keep");
@@ -367,7 +372,7 @@ int Declarations::machine_body(lua_State* L) {
   for (const DeclaredParameter& parameter : parameters) names.push_back(parameter.declaration.name);
   names.insert(names.end(), refused_.begin(), refused_.end());  // so that their use is not an error, too
   std::vector<DeclarationError> errors;
-  MachineReader(L, definition, names, places_of_, errors)
+  MachineReader(L, definition, names, body_parts_, places_of_, errors)
       .read(1, static_cast<int>(lua_tointeger(L, lua_upvalueindex(3))));
   for (DeclarationError& error : resolve(definition)) errors.push_back(std::move(error));
   note(definition.file, std::move(errors));

@@ -35,8 +35,10 @@ class Declarations {
  public:
   using Preview = std::function<ParameterValue(const ParameterDeclaration&)>;
 
-  /// `places_of`: positions of a loaded file's declarations; `preview`: the value that a parameter will get.
-  Declarations(lua_State* L, bool is_scenario, PlacesOf places_of, Preview preview);
+  /// `body_parts`: those for which a machine may have priorities; `places_of`: positions of a loaded file's
+  /// declarations; `preview`: the value that a parameter will get.
+  Declarations(lua_State* L, bool is_scenario, std::vector<std::string> body_parts, PlacesOf places_of,
+               Preview preview);
 
   /// From now on, declaring anything is an error.
   void close() { closed_ = true; }
@@ -85,6 +87,7 @@ class Declarations {
 
   lua_State* lua_;
   bool is_scenario_;
+  std::vector<std::string> body_parts_;
   bool closed_ = false;
   PlacesOf places_of_;
   Preview preview_;

@@ -30,6 +30,7 @@ constexpr const char* kMachineKeys[] = {"priority", "initial", "common", "enter"
 constexpr const char* kScenarioKeys[] = {"priority",  "initial", "common",    "enter", "update",   "exit",
                                          "behaviors", "room",    "hall_seed", "field", "interface"};
 constexpr const char* kStateKeys[] = {"initial", "history", "common", "enter", "update", "exit", "publishes", "ends"};
+constexpr const char* kExpectedPriority = "priority: expected a finite number, or a table such as { 35, head = 50 }";
 constexpr const char* kTransitionKeys[] = {"when", "lasting", "after", "because"};
 
 std::optional<Marked> mark_of(lua_State* L, int table) {
@@ -67,8 +68,14 @@ void mark(lua_State* L, int table, Marked what, Mark mark) {
 }
 
 MachineReader::MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                             const PlacesOf& places_of, std::vector<DeclarationError>& errors)
-    : lua_(L), machine_(machine), parameters_(parameters), places_of_(places_of), errors_(errors) {}
+                             std::span<const std::string> body_parts, const PlacesOf& places_of,
+                             std::vector<DeclarationError>& errors)
+    : lua_(L),
+      machine_(machine),
+      parameters_(parameters),
+      body_parts_(body_parts),
+      places_of_(places_of),
+      errors_(errors) {}
 
 const SourceLocations& MachineReader::places() {
   const SourceLocations*& known = places_[here_.file];
@@ -93,7 +100,7 @@ void MachineReader::read(int table, int line) {
   } else {
     check_keys(table, kMachineKeys);
   }
-  machine_.priority = read_priority(table);
+  machine_.priorities = read_priorities(table);
   machine_.states.emplace_back();
   machine_.states.back().file = here_.file;
   machine_.states.back().position = here_.position;
@@ -350,13 +357,38 @@ BehaviorEnd MachineReader::read_end(int table) {
   return BehaviorEnd::none;
 }
 
-double MachineReader::read_priority(int table) {
+/// `priority = 35`, or `priority = { 35, head = 50 }`.
+Priorities MachineReader::read_priorities(int table) {
+  Priorities priorities;
   const int type = raw_field(lua_, table, "priority");
-  const double priority = lua_tonumber(lua_, -1);
-  lua_pop(lua_, 1);
-  const bool fits = type == LUA_TNIL || (type == LUA_TNUMBER && std::isfinite(priority));
-  if (!fits) note_at("priority", "priority: expected a finite number");
-  return fits ? priority : 0.0;
+  const int value = lua_gettop(lua_);
+  const bool has_parts = type == LUA_TTABLE && !machine_.is_scenario;
+  if (has_parts) lua_rawgeti(lua_, value, 1);
+  if (lua_type(lua_, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(lua_, -1))) {
+    priorities.all = lua_tonumber(lua_, -1);
+  } else if (type != LUA_TNIL) {
+    note_at("priority", machine_.is_scenario ? "priority: expected a finite number" : kExpectedPriority);
+  }
+  if (has_parts) read_part_priorities(value, priorities);
+  lua_settop(lua_, value - 1);
+  return priorities;
+}
+
+void MachineReader::read_part_priorities(int table, Priorities& priorities) {
+  for (lua_pushnil(lua_); lua_next(lua_, table) != 0; lua_pop(lua_, 1)) {
+    if (lua_isinteger(lua_, -2) != 0 && lua_tointeger(lua_, -2) == 1) continue;
+    if (lua_type(lua_, -2) != LUA_TSTRING) return note_at("priority", kExpectedPriority);
+    const std::string name = lua_tostring(lua_, -2);
+    const auto part = std::find(body_parts_.begin(), body_parts_.end(), name);
+    if (part == body_parts_.end())
+      return note_at("priority", "priority: unknown part of the body '" + name + "'" + did_you_mean(name, body_parts_));
+    if (lua_type(lua_, -1) != LUA_TNUMBER || !std::isfinite(lua_tonumber(lua_, -1)))
+      return note_at("priority", "priority: " + name + ": expected a finite number");
+    priorities.parts.push_back({static_cast<BodyPart>(part - body_parts_.begin()), lua_tonumber(lua_, -1)});
+  }
+  // The order of Lua's tables is not that of the text.
+  std::sort(priorities.parts.begin(), priorities.parts.end(),
+            [](const PartPriority& left, const PartPriority& right) { return left.part < right.part; });
 }
 
 void MachineReader::read_behaviors(int table) {

@@ -32,10 +32,11 @@ void mark(lua_State* L, int table, Marked what, Mark mark);
 
 class MachineReader {
  public:
-  /// `parameters`: full names for `lasting` and `after`; `places_of`: positions in the script's files. Appends errors
-  /// to `errors` and continues, so that one run shows all.
+  /// `parameters`: full names for `lasting` and `after`; `body_parts`: names for `priority`; `places_of`: positions in
+  /// the script's files. Appends errors to `errors` and continues, so that one run shows all.
   MachineReader(lua_State* L, MachineDefinition& machine, std::span<const std::string> parameters,
-                const PlacesOf& places_of, std::vector<DeclarationError>& errors);
+                std::span<const std::string> body_parts, const PlacesOf& places_of,
+                std::vector<DeclarationError>& errors);
 
   /// Reads the machine's table, declared in this line. Throws std::runtime_error if it is far too large.
   void read(int table, int line);
@@ -61,7 +62,8 @@ class MachineReader {
   std::string read_text(int table, const char* key);
   std::string read_flag(int table);
   BehaviorEnd read_end(int table);
-  double read_priority(int table);
+  Priorities read_priorities(int table);
+  void read_part_priorities(int table, Priorities& priorities);
   void read_behaviors(int table);
   void read_setting(int table);
   void check_keys(int table, std::span<const char* const> known);
@@ -75,6 +77,7 @@ class MachineReader {
   lua_State* lua_;
   MachineDefinition& machine_;
   std::span<const std::string> parameters_;
+  std::span<const std::string> body_parts_;
   const PlacesOf& places_of_;
   std::map<std::string, const SourceLocations*> places_;  ///< cache, because a look-up is expensive
   std::vector<DeclarationError>& errors_;

@@ -82,6 +82,8 @@ class ScriptLanguage {
   virtual std::span<const WorldField> world() const = 0;
   virtual std::span<const ScriptFunction> functions() const = 0;
   virtual std::span<const FormerTable> former_tables() const { return {}; }
+  /// Names of the parts of the body for which its machines may have priorities.
+  virtual std::vector<std::string> body_parts() const { return {}; }
   /// Makes further globals of a script's Lua; the language must outlive it.
   virtual void add_globals(lua_State* /*L*/) {}
   virtual ScriptActions& actions() = 0;

@@ -11,6 +11,7 @@
 #include <lua.hpp>
 
 #include "engine/parameters/parameter.h"
+#include "engine/script/machine/priorities.h"
 #include "engine/script/source/lua_tokens.h"
 #include "engine/world/names.h"
 #include "geometry/const_or.h"
@@ -106,7 +107,7 @@ struct MachineDefinition {
   NameId left_id = kNoName;  ///< the reason for which a called machine stops
   std::string file;
   TextPosition position;
-  double priority = 0.0;  ///< of a called behavior, that of its caller
+  Priorities priorities;  ///< of a called behavior, those of its caller
   bool is_scenario = false;
   std::vector<std::string> behaviors;   ///< requested by a scenario
   ScenarioSetting setting;              ///< of a scenario

@@ -57,9 +57,11 @@ std::string progress_text(const OpenCondition& condition) {
 }
 
 /// The file of the machine: by convention they have the same name. Empty: unknown.
+/// `machine`: "walk_to", or after those that run it "striker/walk_to".
 std::string file_of(const std::string& machine, const ScriptTexts& texts) {
+  const std::string behavior = machine.substr(machine.rfind('/') + 1);
   for (const std::string& file : texts.files()) {
-    if (std::filesystem::path(file).stem() == machine && !file.starts_with("lib/")) return file;
+    if (std::filesystem::path(file).stem() == behavior && !file.starts_with("lib/")) return file;
   }
   return {};
 }
@@ -72,6 +74,19 @@ std::string values_text(const std::vector<std::string>& fields, const FrameRecor
   return text;
 }
 
+/// "    has the legs (priority 35)": what it got of the body in this frame.
+std::string parts_text(NameId machine, const FrameRecord& frame) {
+  const std::vector<std::string> parts = body_parts(*frame.application.declared);
+  std::string text;
+  for (const PartClaim& claim : frame.claims) {
+    if (claim.issuer.machine != machine || claim.part >= parts.size()) continue;
+    const bool has_it = claim.outranked_by == kNoName;
+    text += fmt::format("    {} the {} (priority {:g}){}\n", has_it ? "has" : "does not get", parts[claim.part],
+                        claim.priority, has_it ? "" : ": " + frame.name(claim.outranked_by) + " has it");
+  }
+  return text;
+}
+
 std::string why_text(const MachineStatus& status, const std::vector<OpenCondition>& conditions, const NameTable& names,
                      const ScriptTexts& texts, const FrameRecord& frame) {
   const double now = frame.world.time;
@@ -79,6 +94,7 @@ std::string why_text(const MachineStatus& status, const std::vector<OpenConditio
   ConditionFields fields(texts);
   std::string text = fmt::format("  {}: {} for {:.1f} s{}\n", names[status.machine], names[status.state],
                                  now - status.entered_at, stopped_text(status));
+  if (&names == frame.names.get()) text += parts_text(status.machine, frame);  // not of a scenario
   std::size_t target_width = 0, progress_width = 0;
   for (const OpenCondition& one : conditions) {
     if (one.machine != status.machine) continue;

@@ -159,6 +159,7 @@ TEST(ViewerMessages, ContainTheMachinesOfTheBehaviorsAndOfTheScenario) {
   frame.world.time = 5.0;
   frame.names = std::make_shared<NameTable>(NameTable{{"", "orientation", "watching"}});
   frame.machines = {{1, 2, 3.0, false, 0}};
+  frame.claims = {{kLegs, {1, 2, 0}, 5.0, kNoName}};
   SceneTruth scene;
   scene.scenario.names = std::make_shared<NameTable>(NameTable{{"", "mirrored_placement", "carrying"}});
   scene.scenario.machines = {{1, 2, 4.5, true, 2}, {1, 999, 0.0, false, 0}};
@@ -168,9 +169,9 @@ TEST(ViewerMessages, ContainTheMachinesOfTheBehaviorsAndOfTheScenario) {
   });
   EXPECT_EQ(misfit(found, Json::parse(schema_text("reorient.Machines"))), "");
   EXPECT_EQ(found["machines"], Json::parse(R"([
-    {"name":"orientation","state":"watching","seconds":2.0,"stopped":false,"errors":0,"scenario":false},
-    {"name":"mirrored_placement","state":"carrying","seconds":0.5,"stopped":true,"errors":2,"scenario":true},
-    {"name":"mirrored_placement","state":"","seconds":5.0,"stopped":false,"errors":0,"scenario":true}])"));
+    {"name":"orientation","state":"watching","seconds":2.0,"stopped":false,"errors":0,"scenario":false,"parts":[{"part":"legs","outranked_by":""}]},
+    {"name":"mirrored_placement","state":"carrying","seconds":0.5,"stopped":true,"errors":2,"scenario":true,"parts":[]},
+    {"name":"mirrored_placement","state":"","seconds":5.0,"stopped":false,"errors":0,"scenario":true,"parts":[]}])"));
 }
 
 TEST(ViewerMessages, ContainTheThresholdsOfTheEvidenceIfTheRunHasTheirParameters) {

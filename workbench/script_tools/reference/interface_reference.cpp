@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/parameters/nearest_name.h"
+
 namespace reorient {
 namespace {
 
@@ -108,7 +110,9 @@ void write_actions(std::ostream& out, const ApplicationInterface& declared) {
   for (const DeclaredAction& action : declared.actions) {
     out << "### `action." << action.name << "`\n```lua\n"
         << example_of(action) << "\n```\nThe application " << in_cell(action.description) << ".\n"
-        << course_of(action) << "\n\n";
+        << course_of(action) << "\n";
+    if (!action.parts.empty()) out << "Meanwhile it has these parts of the body: " << list_of(action.parts) << ".\n";
+    out << "\n";
     if (action.arguments.empty()) continue;
     out << "| argument | " << kFieldColumns;
     for (const DeclaredField& field : action.arguments) {

@@ -176,7 +176,7 @@ std::string script_annotations(std::span<const LibraryModule> libraries) {
          "make the\n"
          "-- bindings, and from the libraries' doc comments; do not edit. `REORIENT_REGENERATE=1 ./test` regenerates "
          "it.\n\n";
-  out << "---@class reorient.State\n---@field priority? number\n---@field initial? string\n---@field history? "
+  out << "---@class reorient.State\n---@field priority? number|table\n---@field initial? string\n---@field history? "
          "boolean\n---@field publishes? string\n---@field ends? \"done\"|\"failed\"\n"
          "---@field common? table[]\n---@field behaviors? string[]\n---@field room? string\n"
          "---@field hall_seed? integer\n---@field field? string\n---@field interface? string\n---@field enter? "

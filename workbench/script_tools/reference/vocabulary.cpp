@@ -28,8 +28,9 @@ constexpr ScriptWord kLanguage[] = {
     {"behavior(name: string): fun(body: reorient.State)",
      "behavior \"name\" { priority = 50, initial = \"watching\", common = { ... }, state \"watching\" { ... } }",
      "Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with "
-     "equal priorities, the one that was loaded first. `initial`: the first state. `common`: transitions from any "
-     "state, not taken while their target is active.",
+     "equal priorities, the one that was loaded first. `priority = { 50, head = 60 }`: another one for a part of the "
+     "body. `initial`: the first state. `common`: transitions from any state, not taken while their target is "
+     "active.",
      {}},
     {"state(name: string): fun(body: reorient.State): table",
      "state \"watching\" { enter = f, update = f, exit = f, { \"target\", when = f, lasting = 0.5 } }",

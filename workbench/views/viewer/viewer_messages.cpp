@@ -65,6 +65,17 @@ Json world_json(const FrameRecord& frame) {
   return json;
 }
 
+/// The parts of the body that the machine requested: nothing, or the machine that has it instead.
+Json parts_json(const FrameRecord& frame, NameId machine) {
+  const std::vector<std::string> names = body_parts(*frame.application.declared);
+  Json parts = Json::array();
+  for (const PartClaim& claim : frame.claims) {
+    if (claim.issuer.machine == machine && claim.part < names.size())
+      parts.push_back({{"part", names[claim.part]}, {"outranked_by", frame.name(claim.outranked_by)}});
+  }
+  return parts;
+}
+
 Json machines_json(const FrameRecord& frame, const ScenarioRecord& scenario) {
   Json machines = Json::array(), published = Json::array();
   const auto add = [&](const std::vector<MachineStatus>& all, const NameTable& names, bool of_scenario) {
@@ -74,7 +85,8 @@ Json machines_json(const FrameRecord& frame, const ScenarioRecord& scenario) {
                           {"seconds", frame.world.time - machine.entered_at},
                           {"stopped", machine.stopped},
                           {"errors", machine.errors},
-                          {"scenario", of_scenario}});
+                          {"scenario", of_scenario},
+                          {"parts", of_scenario ? Json::array() : parts_json(frame, machine.machine)}});
     }
   };
   add(frame.machines, *frame.names, false);

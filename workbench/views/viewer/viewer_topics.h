@@ -80,7 +80,7 @@ inline constexpr std::array<ViewerTopicInfo, kViewerTopicCount> kViewerTopics{{
     {ViewerTopic::world, "/world", "reorient.World",
      "world fields that behaviors read: pose, confidences, evidence, posture, game"},
     {ViewerTopic::machines, "/machines", "reorient.Machines",
-     "state of each state machine, also of the scenario; published flags"},
+     "state of each state machine, also of the scenario, and the parts of the body that it requests; published flags"},
     {ViewerTopic::conditions, "/conditions", "reorient.Conditions",
      "possible transitions of each state machine, and how long their conditions have held; in recordings five times a "
      "second"},

@@ -6,7 +6,7 @@ import { set, settings } from "../settings.js";
 import { choice, choose, toggleGraph, useFocus } from "./choice.js";
 import { definitionAt } from "./definitions.js";
 import { StateGraph } from "./graph.jsx";
-import { Cost, Fault, Place, ScenarioMark, nameText, stateText } from "./parts.jsx";
+import { Cost, Fault, Parts, Place, ScenarioMark, nameText, stateText } from "./parts.jsx";
 import { Transitions } from "./transitions.jsx";
 import { declaredTransitions, eventsOf, isWithin, openTransitions, pathText, transitionOf } from "./view.js";
 
@@ -80,6 +80,7 @@ function Head({ machine }) {
       </h2>
       {machine.scenario && <ScenarioMark />}
       <span class="state grow">{stateText(machine)}</span>
+      <Parts parts={machine.parts} />
       <span class="value">{duration(machine.seconds)}</span>
       <button
         class="chip small"

@@ -15,6 +15,19 @@ export const ScenarioMark = () => (
   </span>
 );
 
+/// The parts of the body that the machine requests; struck through if another machine has it.
+export function Parts({ parts = [] }) {
+  return parts.map(({ part, outranked_by: rival }) => (
+    <span
+      key={part}
+      class={rival ? "badge lost" : "badge"}
+      title={rival ? `${nameText(rival)} has the ${part}` : `Has the ${part}`}
+    >
+      {part}
+    </span>
+  ));
+}
+
 /// A place in a script. It opens the script there if the robot shows its scripts.
 export function Place({ file, line, children }) {
   if (!file || !canCall("script")) return <span class="soft place">{children}</span>;

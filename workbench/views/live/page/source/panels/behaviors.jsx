@@ -4,7 +4,7 @@
 import "../behaviors/behaviors.css";
 import { choice, choose, useFocus } from "../behaviors/choice.js";
 import { Chosen } from "../behaviors/chosen.jsx";
-import { Cost, Fault, ScenarioMark, nameText, stateText } from "../behaviors/parts.jsx";
+import { Cost, Fault, Parts, ScenarioMark, nameText, stateText } from "../behaviors/parts.jsx";
 import { eventsOf, meanCosts } from "../behaviors/view.js";
 import { duration, fixed } from "../format.js";
 import { store } from "../robot.js";
@@ -33,6 +33,7 @@ function Machine({ machine, cost, until }) {
         </button>
         {machine.scenario && <ScenarioMark />}
         <span class="state">{stateText(machine)}</span>
+        <Parts parts={machine.parts} />
         <span class="value">{duration(machine.seconds)}</span>
       </div>
       <div class="row">
