@@ -6,7 +6,7 @@ import { spawn } from "node:child_process";
 import { randomBytes } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { connect } from "node:net";
-import { tmpdir } from "node:os";
+import { setPriority, tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 
@@ -18,6 +18,7 @@ const run = spawn(
   ["--log", "off", "run", "patrol", "--live", "0", "--width", width, "--seconds", seconds, "--no-pictures", "--json", summary],
   { stdio: ["ignore", "ignore", "pipe"] },
 );
+setPriority(19); // viewers are other computers
 const ended = new Promise((resolve) => run.on("exit", resolve));
 const link = await new Promise((resolve, reject) => {
   createInterface(run.stderr).on("line", (line) => {

@@ -174,7 +174,7 @@ std::unique_ptr<RecentFrames::PackedFrame> RecentFrames::packed(const Item& item
 
 /// Runs in the thread.
 void RecentFrames::pack_items() {
-  become_batch_thread();
+  become_batch_thread(kLiveNiceness);
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
