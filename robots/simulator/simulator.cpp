@@ -235,8 +235,12 @@ void Simulator::kick() {
   kicked_.reset();
   if (!application_ || !kick_.is_active()) return;
   const WalkVelocity& walk = body_.velocity();
-  const KickerState kicker{body_.pose(), body_.posture() == Body::Posture::upright,
-                           pinned::hypot(walk.forward, walk.left), size_};
+  const KickerState kicker{.pose = body_.pose(),
+                           .is_upright = body_.posture() == Body::Posture::upright,
+                           .is_lifted = body_.posture() == Body::Posture::carried,
+                           .is_penalized = body_.is_penalized(),
+                           .speed = pinned::hypot(walk.forward, walk.left),
+                           .size = size_};
   const std::optional<Eigen::Vector2d> ball = parameters_.ball ? std::optional(ball_.position) : std::nullopt;
   const Kick::Progress progress =
       kick_.advance(1.0 / parameters_.frame_rate, kicker, ball, ball_mass(field_.ball_diameter));

@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kFootLeft = 0.05;  // m from the center of a NAO to the middle of a foot
 
+/// Why a robot cannot kick, wherever the ball lies; empty: it can.
+const char* hindrance_of(const KickerState& kicker) {
+  if (kicker.is_penalized) return "the robot is penalized";
+  if (kicker.is_lifted) return "the robot is lifted";
+  return kicker.is_upright ? "" : "the robot does not stand";
+}
+
 }  // namespace
 
 void Kick::begin(Foot foot, double direction) {
@@ -25,7 +32,7 @@ void Kick::begin(Foot foot, double direction) {
 Kick::Progress Kick::advance(double time_step, const KickerState& kicker, const std::optional<Eigen::Vector2d>& ball,
                              double mass) {
   if (phase_ == Phase::none) return {};
-  if (!kicker.is_upright) return fail("the robot does not stand");
+  if (std::string hindrance = hindrance_of(kicker); !hindrance.empty()) return fail(std::move(hindrance));
   since_ += time_step;
   if (phase_ == Phase::requested) {
     phase_ = Phase::swing;

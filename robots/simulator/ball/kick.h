@@ -42,10 +42,12 @@ enum class Foot { nearest, left, right };
 
 /// The robot at one moment.
 struct KickerState {
-  Pose2 pose;              ///< true pose
-  bool is_upright = true;  ///< neither fallen nor lifted
-  double speed = 0.0;      ///< m/s, of the walk
-  double size = 1.0;       ///< relative to a NAO
+  Pose2 pose;                 ///< true pose
+  bool is_upright = true;     ///< neither fallen nor lifted
+  bool is_lifted = false;     ///< by the operator
+  bool is_penalized = false;  ///< by the referee
+  double speed = 0.0;         ///< m/s, of the walk
+  double size = 1.0;          ///< relative to a NAO
 };
 
 class Kick {

@@ -120,6 +120,7 @@ class Body {
 
   GroundTruth ground_truth() const;
   Posture posture() const { return posture_; }
+  bool is_penalized() const { return penalized_; }
   const Pose2& pose() const { return pose_; }
   const HeadAngles& head() const { return head_; }
   const TorsoAttitude& torso() const { return torso_; }

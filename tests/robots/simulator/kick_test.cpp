@@ -115,6 +115,13 @@ TEST(Kick, FailsWithAReasonIfTheFootCannotHitTheBall) {
   KickerState lying;
   lying.is_upright = false;
   EXPECT_EQ(reason_of(outcome_of(lying, Eigen::Vector2d(0.2, 0.05))), "the robot does not stand");
+  KickerState lifted;
+  lifted.is_upright = false;
+  lifted.is_lifted = true;
+  EXPECT_EQ(reason_of(outcome_of(lifted, Eigen::Vector2d(0.2, 0.05))), "the robot is lifted");
+  KickerState penalized;
+  penalized.is_penalized = true;
+  EXPECT_EQ(reason_of(outcome_of(penalized, Eigen::Vector2d(0.2, 0.05))), "the robot is penalized");
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The simulator as the application of an interface with a ball.
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -132,6 +134,40 @@ TEST(SimulatedBall, OutOfReachLetsTheKickFail) {
   EXPECT_EQ(reports[1].state, ActionState::failed);
   EXPECT_EQ(reports[1].reason.substr(0, 40), "the ball is out of reach: 0.60 m ahead a");
   EXPECT_EQ(simulator.ball().position, Eigen::Vector2d(0.6, 0.06));
+}
+
+TEST(SimulatedBall, IsNotKickedByARobotThatIsPenalizedLiftedOrFallen) {
+  const auto penalize = [](Simulator& simulator) { simulator.penalize(true); };
+  const auto lift = [](Simulator& simulator) { simulator.pick_up(); };
+  const auto fell = [](Simulator& simulator) { simulator.push_over(); };
+  const std::vector<std::pair<std::function<void(Simulator&)>, const char*>> hindrances{
+      {penalize, "the robot is penalized"}, {lift, "the robot is lifted"}, {fell, "the robot does not stand"}};
+  for (const int frames_before : {0, 10}) {  // before the kick, and while the leg swings
+    for (const auto& [hinder, reason] : hindrances) {
+      Simulator simulator = simulator_at(Pose2(0.0, 0.0, 0.0));
+      simulator.put_ball({0.24, 0.06});
+      std::vector<ActionReport> reports = reports_of(simulator, kick_with("left", 0.0, 5), frames_before);
+      hinder(simulator);
+      const std::vector<ActionReport> later = reports_of(simulator, {}, 60);
+      reports.insert(reports.end(), later.begin(), later.end());
+      ASSERT_FALSE(reports.empty()) << reason;
+      EXPECT_EQ(reports.back().state, ActionState::failed) << reason;
+      EXPECT_EQ(reports.back().reason, reason);
+      EXPECT_EQ(reports.back().id, 5u);
+      EXPECT_EQ(simulator.ball().velocity, Eigen::Vector2d(0.0, 0.0)) << reason;
+    }
+  }
+}
+
+TEST(SimulatedBall, IsKickedAgainAfterThePenalty) {
+  Simulator simulator = simulator_at(Pose2(0.0, 0.0, 0.0));
+  simulator.put_ball({0.24, 0.06});
+  simulator.penalize(true);
+  reports_of(simulator, kick_with("left", 0.0, 1), 30);
+  simulator.penalize(false);
+  const std::vector<ActionReport> reports = reports_of(simulator, kick_with("left", 0.0, 2), 90);
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(reports.back().state, ActionState::done) << reports.back().reason;
 }
 
 TEST(SimulatedBall, IsKickedFromAWalkAfterTheRobotHasStopped) {
