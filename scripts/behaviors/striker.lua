@@ -1,5 +1,5 @@
---- A field player: goes to its place before the kick-off, then searches for the ball, approaches and kicks it. It only
---- puts other behaviors together: each does one thing and can be tested alone.
+--- A field player: obeys the referee around a kick-off, then searches for the ball, approaches and kicks it. It only puts
+--- other behaviors together: each does one thing and can be tested alone.
 --
 -- It needs the interface `ball`: `reorient game --behaviors striker,...`.
 
@@ -8,32 +8,22 @@
 local ball = require "lib.ball"
 
 local p = param {
-  place_x = { -1.0, range = { -10, 0 },  unit = "m", doc = "where to wait for the kick-off, toward the opponents' goal" },
+  place_x = { -1.2, range = { -10, 0 },  unit = "m", doc = "where to wait for the kick-off, toward the opponents' goal" },
   place_y = { 0.0,  range = { -10, 10 }, unit = "m", doc = "where to wait for the kick-off, to the left" },
 }
 
-local function is_before_kick_off() return game.state == "ready" end
+local function may_not_play() return robot.penalized or not ball.is_in_play() end
 
 behavior "striker" {
   priority = 35,
-  initial = "waiting",
-  common = {
-    { "going to its place", when = is_before_kick_off, because = "the game begins soon" },
-    { "playing", when = ball.is_in_play, because = "the ball is in play" },
-    { "waiting", when = function() return not ball.is_in_play() and not is_before_kick_off() end,
-      because = "the robots must stand still" },
-  },
+  initial = "before the kick-off",
 
-  state "waiting" {
-    run "search_ball" {},
-  },
-
-  state "going to its place" {
-    run "walk_to" {
+  state "before the kick-off" {
+    run "kick_off" {
       x = function() return p.place_x end,
       y = function() return p.place_y end,
-      turns = true,
     },
+    { "playing", when = done "kick_off", because = "the robot may go for the ball" },
   },
 
   -- The first one wins: a robot that kicks does not walk, and a robot that approaches the ball does not turn to search.
@@ -41,5 +31,6 @@ behavior "striker" {
     run "kick_ball" {},
     run "approach_ball" {},
     run "search_ball" {},
+    { "before the kick-off", when = may_not_play, because = "the robot must stand still" },
   },
 }
