@@ -7,6 +7,7 @@
 #include "engine/parameters/nearest_name.h"
 #include "engine/script/language/script_arguments.h"
 #include "engine/script/script_error.h"
+#include "engine/script/script_frame.h"
 #include "engine/script/script_host.h"
 #include "engine/script/script_slot.h"
 

@@ -2,10 +2,10 @@
 #include "engine/script/script_host.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "engine/script/script_error.h"
+#include "engine/script/script_frame.h"
 #include "engine/script/script_slot.h"
 
 namespace reorient {
@@ -225,26 +225,6 @@ void ScriptHost::tick(ScriptSlot& slot, std::span<const double> world) {
     for (ScriptSlot::Running& running : slot.machines) running.machine.tick(*slot.script, time_, output_.transitions);
   });
   tick_callees(slot, world);
-}
-
-/// Calls `run`, which runs the machines of a script, and notes what it costs and where it fails.
-template <typename Run>
-void ScriptHost::run_frame(ScriptSlot& slot, std::span<const double> world, Run&& run) {
-  const auto begin = std::chrono::steady_clock::now();
-  ++slot.frames;
-  slot.script->begin_frame(world);
-  std::optional<ScriptFault> failure;
-  try {
-    run();
-  } catch (ScriptError& error) {
-    failure = std::move(error.fault);
-  }
-  slot.script->end_frame();
-  slot.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
-  std::vector<ScriptFault> faults;
-  faults.swap(slot.script->exit_faults());
-  if (failure) faults.push_back(std::move(*failure));
-  note_faults(slot, std::move(faults));
 }
 
 /// Records the faults of one frame and one version. Errors of a version in its last frame do not count against the
