@@ -11,6 +11,7 @@
 
 #include "engine/parameters/counted.h"
 #include "geometry/image.h"
+#include "program/game/game_recording.h"
 #include "program/game/soccer_game.h"
 #include "program/help.h"
 #include "program/interruption.h"
@@ -43,20 +44,31 @@ void print_summary_of_game(const SoccerGame& game, double wall_seconds, int thre
   out << "digest: " << game.digest() << '\n';
 }
 
-int play_game(GameOptions options, std::ostream& out) {
+int play_game(GameOptions options, std::ostream& out, std::ostream& err) {
   options.teams[0].scripts = scripts_root(options.teams[0].scripts);
   options.teams[1].scripts =
       options.teams[1].scripts.empty() ? options.teams[0].scripts : scripts_root(options.teams[1].scripts);
   SoccerGame game(options);
   const Interruption interruption;
+  GameRecording recording(options, game);
   const auto start = std::chrono::steady_clock::now();
   while (!game.is_over() && Interruption::signal() == 0) {
     for (const GameEvent& event : game.step()) out << fmt::format("{:6.2f} s  {}\n", event.time, event.text);
     out.flush();
+    recording.keep_up(err);
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  recording.end(out, err);
   print_summary_of_game(game, took.count(), options.threads, out);
   return Interruption::signal() != 0 ? exit_code_of(Interruption::signal()) : kSuccess;
+}
+
+void add_recording_options(CLI::App& game, RecordOptions& options) {
+  game.add_option("--record", options.record, "record each robot into this folder (blue_1.mcap, ...)")
+      ->type_name("FOLDER")
+      ->group(kOutputGroup)
+      ->check(check_not_empty);
+  add_record_options(game, options);
 }
 
 void add_team_options(CLI::App& game, GameOptions& options) {
@@ -87,7 +99,8 @@ Subcommand add_game(CLI::App& program) {
   parser->fallthrough();
   set_examples(*parser, {{"reorient game", "five against five, 300 s"},
                          {"reorient game --robots 1 --seconds 60", "one against one"},
-                         {"reorient game --scripts mine --scripts-of-opponents scripts", "two teams of scripts"}});
+                         {"reorient game --scripts mine --scripts-of-opponents scripts", "two teams of scripts"},
+                         {"reorient game --record game", "record each robot, for replays"}});
   parser->add_option("--robots", options->robots, "robots in each team")
       ->type_name("N")
       ->group(kGameGroup)
@@ -128,7 +141,8 @@ Subcommand add_game(CLI::App& program) {
       ->capture_default_str();
   add_team_options(*parser, *options);
   add_parameter_options(*parser, options->parameters);
-  return {parser, [options](std::ostream& out, std::ostream&) { return play_game(*options, out); }};
+  add_recording_options(*parser, options->recording);
+  return {parser, [options](std::ostream& out, std::ostream& err) { return play_game(*options, out, err); }};
 }
 
 }  // namespace reorient

@@ -188,22 +188,7 @@ void add_output_options(CLI::App& run, RunOptions& options) {
       ->type_name("FILE")
       ->group(kOutputGroup)
       ->check(check_not_empty);
-  run.add_option("--record-images", options.record_images, "camera images: lossless, every:N, none")
-      ->type_name("MODE")
-      ->group(kOutputGroup)
-      ->capture_default_str();
-  run.add_option("--view-images", options.view_images, "images for viewers: jpeg:Q (quality Q, 1 to 100), none")
-      ->type_name("MODE")
-      ->group(kOutputGroup)
-      ->capture_default_str();
-  run.add_option("--view-particles", options.view_particles, "particles of the pose filter for viewers: every:N, none")
-      ->type_name("MODE")
-      ->group(kOutputGroup)
-      ->capture_default_str();
-  run.add_option("--record-rotate", options.record_rotate, "start a new file after this size or time: 500MB, 10min")
-      ->type_name("LIMIT")
-      ->group(kOutputGroup)
-      ->check(check_not_empty);
+  add_record_options(run, options);
 }
 
 void add_options(CLI::App& run, RunOptions& options) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "program/options.h"
+#include "program/run/record_options.h"
 
 namespace reorient {
 
@@ -32,6 +33,7 @@ struct GameOptions {
   int threads = 2;
   ParameterOptions parameters;  ///< of all robots
   std::array<TeamOptions, 2> teams;
+  RecordOptions recording;  ///< of each robot, into the folder RecordOptions::record
 };
 
 }  // namespace reorient

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "program/game/game_robot.h"
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,12 @@
 
 namespace reorient {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
 
 double speed_of(const Body& body) { return pinned::hypot(body.velocity().forward, body.velocity().left); }
 
@@ -27,10 +34,22 @@ void GameRobot::place(const Pose2& pose) {
 
 void GameRobot::play(const SharedWorld& world) {
   simulator_->share(world);
+  const Clock::time_point begin = Clock::now();
   simulator_->observe(inputs_.observation);
-  const FrameRecord& record = engine_->step(inputs_, {Topic::images});
+  const Clock::time_point seen = Clock::now();
+  Topics wanted{Topic::images};
+  if (observer_ != nullptr) {
+    observer_->before(inputs_, *engine_);
+    wanted = wanted | observer_->wanted();
+  }
+  const FrameRecord& record = engine_->step(inputs_, wanted);
+  scene_.observing = seconds_between(begin, seen);
+  scene_.stepping = seconds_between(seen, Clock::now());
   simulator_->answer(record.answer);
+  scene_.truth = simulator_->ground_truth();
+  scene_.truth->pose = in_axes_of(team_, scene_.truth->pose);
   inputs_.external = {};
+  if (observer_ != nullptr) observer_->observe(record, scene_);
   digest_.add(record);
   if (record.reorientation && record.reorientation->reorientation == Reorientation::flip_pose) ++flips_;
 }

@@ -11,6 +11,7 @@
 #include "engine/record/record_bytes.h"
 #include "robots/simulator/game/collisions.h"
 #include "robots/simulator/simulator.h"
+#include "workbench/run/observer.h"
 
 namespace reorient {
 
@@ -32,6 +33,8 @@ class GameRobot {
   ExternalInputs& inputs() { return inputs_.external; }
   /// Places the robot at this pose (axes of the hall), as the operator who then sets the pose.
   void place(const Pose2& pose);
+  /// Shows all later frames to the observer, which must outlive this robot.
+  void show_to(Observer& observer) { observer_ = &observer; }
   /// Observes the world and runs the engine for one frame.
   void play(const SharedWorld& world);
 
@@ -39,6 +42,7 @@ class GameRobot {
   Player player() const;
   MovingRobot moving() const;
 
+  const ApplicationInterface& application() const { return engine_->application(); }
   const FrameRecord& record() const { return engine_->record(); }
   std::string digest() const { return digest_.digest().hex(); }
   /// Whether the believed pose is near the true one, and not the mirrored one.
@@ -50,6 +54,8 @@ class GameRobot {
   std::unique_ptr<Simulator> simulator_;
   std::unique_ptr<FrameLoop> engine_;
   FrameInputs inputs_;
+  Observer* observer_ = nullptr;
+  SceneTruth scene_;
   RecordDigest digest_;
   std::uint64_t flips_ = 0;
 };

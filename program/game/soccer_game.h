@@ -51,6 +51,8 @@ class SoccerGame {
   double time() const { return time_; }  ///< s
   std::size_t robots() const { return robots_.size(); }
   const GameRobot& robot(std::size_t index) const { return *robots_[index]; }
+  /// Shows the frames of a robot to the observer, on any thread. Call it before the first step().
+  void show_to(Observer& observer, std::size_t robot) { robots_[robot]->show_to(observer); }
   const RollingBall& ball() const { return ball_; }
   const MatchReferee& referee() const { return referee_; }
   const TeamNetwork& network() const { return network_; }

@@ -13,6 +13,7 @@
 #include "program/run/engine_setup.h"
 #include "program/run/footage_arguments.h"
 #include "program/run/live/live_options.h"
+#include "program/run/record_options.h"
 
 namespace reorient {
 
@@ -37,7 +38,7 @@ struct SimulationOptions : EngineOptions {
 
 constexpr double kUsualSeconds = 600.0;
 
-struct RunOptions : SimulationOptions {
+struct RunOptions : SimulationOptions, RecordOptions {
   // Of the companion (program/run/companion/).
   std::filesystem::path socket;  ///< socket for clients; empty: in the user's runtime folder
   std::filesystem::path state;   ///< file of the saved state; empty: beside the socket
@@ -58,12 +59,6 @@ struct RunOptions : SimulationOptions {
   double belief_at = 0.0;  ///< s
   bool lifted = false;     ///< the belief becomes wrong by lifting the robot, which is not reported
   bool realtime = false;
-  std::filesystem::path record;  ///< the recording; empty: none
-  std::string record_rotate;     ///< "100MB", "10min"; empty: one file
-  // program/run/run_recording.h
-  std::string record_images = "lossless";
-  std::string view_images = "jpeg:75";
-  std::string view_particles = "every:6";
   std::filesystem::path out = "out";
   bool pictures = true;
   std::filesystem::path json;             ///< empty: no summary for programs

@@ -115,26 +115,33 @@ int viewer_image_quality(const std::string& mode, const std::string& option) {
   throw std::runtime_error(option + ": expected jpeg:Q (a quality from 1 to 100) or none, found '" + mode + "'");
 }
 
-std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
+RecorderOptions recorder_options(const RecordOptions& options, const std::filesystem::path& file,
+                                 bool further_parts_are_refused) {
   RecorderOptions recorder;
   recorder.images_every = images_every(options.record_images);
   recorder.jpeg_quality = viewer_image_quality(options.view_images, "--view-images");
   recorder.particles_every = particles_every(options.view_particles);
-  if (options.record.empty()) return std::nullopt;
-  require_writable_file(options.record, "--record");
-  require_new_or_recording(options.record, "--record");
-  recorder.file = options.record;
-  const bool is_simulated = options.robot == kSimulator || options.robot == kFootage;
+  recorder.file = file;
+  if (file.empty()) return recorder;
+  require_writable_file(file, "--record");
+  require_new_or_recording(file, "--record");
   if (!options.record_rotate.empty()) {
     read_rotation(options.record_rotate, recorder);
     // The user did not name the further files: they must not be overwritten, nor seem to belong to this run.
-    if (const auto part = further_part(options.record); part && is_simulated) {
+    if (const auto part = further_part(file); part && further_parts_are_refused) {
       throw std::runtime_error(
           "--record-rotate: " + part->string() +
           ": expected no part of an earlier run, found one; move it away, or name another file with "
           "--record");
     }
   }
+  return recorder;
+}
+
+std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue) {
+  const bool is_simulated = options.robot == kSimulator || options.robot == kFootage;
+  RecorderOptions recorder = recorder_options(options, options.record, is_simulated);
+  if (options.record.empty()) return std::nullopt;
   recorder.about = {{"version", REORIENT_VERSION},
                     {"robot", options.robot},
                     {"venue", venue},
@@ -153,13 +160,14 @@ RunRecording::RunRecording(std::optional<RecorderOptions> options, std::function
   recorder_.emplace(*std::move(options), std::move(tell));
 }
 
-void RunRecording::end(std::ostream& out) {
+void RunRecording::end(std::ostream& out, const std::string& digest) {
   if (!recorder_) return;
   recorder_->end();
   const Recorder::Counts counts = recorder_->counts();
-  out << fmt::format("recording: {}{}, {}, {:.1f} MB\n", as_line(file_.string()),
+  out << fmt::format("recording: {}{}, {}, {:.1f} MB{}\n", as_line(file_.string()),
                      counts.files > 1 ? fmt::format(" and {} more", counts.files - 1) : "",
-                     counted(counts.frames, "frame"), 1e-6 * static_cast<double>(counts.bytes));
+                     counted(counts.frames, "frame"), 1e-6 * static_cast<double>(counts.bytes),
+                     digest.empty() ? "" : ", digest " + digest);
   if (counts.views_left_out > 0)
     out << fmt::format("  {} without images for viewers, because the disk or processor was too slow\n",
                        counted(counts.views_left_out, "frame"));

@@ -19,6 +19,10 @@ int viewer_image_quality(const std::string& mode, const std::string& option);
 /// The options of `--record` and related options; nothing: no recording. `venue`: for the user. Throws
 /// std::runtime_error with one line, also if the file cannot be written.
 std::optional<RecorderOptions> recorder_options(const RunOptions& options, const std::string& venue);
+/// The options of one recording of `file`, without a description. `further_parts_are_refused`: for a run whose files
+/// replace earlier ones. Throws the same.
+RecorderOptions recorder_options(const RecordOptions& options, const std::filesystem::path& file,
+                                 bool further_parts_are_refused);
 
 /// Throws std::runtime_error with one line if the file exists and is not a recording, so that it is not lost. `option`:
 /// the option that names it.
@@ -37,8 +41,11 @@ class RunRecording {
   /// nullptr: nothing is recorded.
   Observer* observer() { return recorder_ ? &*recorder_ : nullptr; }
 
-  /// Ends the file, and prints what it contains.
-  void end(std::ostream& out);
+  /// Recorder::wait_for_thread(); true if nothing is recorded.
+  bool wait_for_thread(double seconds) { return !recorder_ || recorder_->wait_for_thread(seconds); }
+
+  /// Ends the file, and prints what it contains. `digest`: of the recorded frames; empty: it is not printed.
+  void end(std::ostream& out, const std::string& digest = "");
 
  private:
   std::filesystem::path file_;  // the first

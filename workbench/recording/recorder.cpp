@@ -83,7 +83,7 @@ struct Recorder::Shared {
   std::vector<ViewMessage> views;
 
   std::mutex mutex;  // protects all members below
-  std::condition_variable wake, over;
+  std::condition_variable wake, written, over;
   std::deque<std::unique_ptr<Item>> queue;
   std::vector<std::unique_ptr<Item>> free;
   std::size_t waiting = 0;  // bytes in the queue
@@ -216,6 +216,13 @@ void Recorder::report_trouble() {
   report_(trouble);
 }
 
+bool Recorder::wait_for_thread(double seconds) {
+  std::unique_lock lock(shared_->mutex);
+  return shared_->written.wait_for(lock, std::chrono::duration<double>(seconds), [this] {
+    return shared_->waiting <= options_.most_waiting / 8 || shared_->is_over;
+  });
+}
+
 void Recorder::end() {
   if (!thread_.joinable()) return;
   bool is_over = false;
@@ -305,6 +312,7 @@ void Recorder::write_items(Shared& shared) {
       shared.waiting -= item->bytes();
       constexpr std::size_t kMostFree = 8;  // do not keep the memory of a backlog that is over
       if (shared.free.size() < kMostFree) shared.free.push_back(std::move(item));
+      shared.written.notify_one();
     }
     if (trouble.empty()) continue;
     shared.trouble = "the recording ends here: " + trouble;
@@ -335,6 +343,7 @@ void Recorder::write_items(Shared& shared) {
   count();
   if (!trouble.empty() && shared.trouble.empty()) shared.trouble = std::move(trouble);
   shared.is_over = true;
+  shared.written.notify_one();
   shared.over.notify_one();
 }
 

@@ -54,6 +54,10 @@ class Recorder : public Observer {
   Topics wanted() const override { return wanted_; }
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
+  /// Waits until the thread has at most an eighth of RecorderOptions::most_waiting to write, or for `seconds`. Returns
+  /// false in the latter case. Only for robots that have no real time, between their frames.
+  bool wait_for_thread(double seconds);
+
   /// Ends the file. Nothing is recorded afterwards. If the disk does not accept the rest within
   /// RecorderOptions::patience, the thread is detached.
   void end();
