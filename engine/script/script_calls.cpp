@@ -44,6 +44,13 @@ void check_arguments(const MachineDefinition& machine, const CallDefinition& cal
   }
 }
 
+/// Whether the caller gives one of the choices of the argument, which needs no copy of its text.
+bool is_constant_choice(const ParameterDeclaration& argument, const CallArgument& given) {
+  const auto* const text = std::get_if<std::string>(&given.value);
+  return given.function == LUA_NOREF && argument.kind == ParameterKind::choice && text != nullptr &&
+         std::find(argument.choices.begin(), argument.choices.end(), *text) != argument.choices.end();
+}
+
 bool is_call(const CallDefinition& call, const MachineDefinition& machine, const ScriptSlot& callee) {
   return callee.called->caller == machine.name && callee.called->behavior == call.behavior;
 }
@@ -130,7 +137,11 @@ void Script::take_arguments(std::span<const CallArgument> given, Script& caller,
       continue;
     }
     try {
-      declarations_->set_value(parameter, caller.argument_value(parameter.declaration, *found, machine, state));
+      if (is_constant_choice(parameter.declaration, *found)) {
+        declarations_->set_value(parameter, found->value);
+      } else {
+        declarations_->set_value(parameter, caller.argument_value(parameter.declaration, *found, machine, state));
+      }
     } catch (const std::runtime_error& error) {
       const std::string& file = machine.definition().states[static_cast<std::size_t>(state)].file;
       throw ScriptError({file, found->position.line, error.what(), {}, found->position.column});
@@ -285,16 +296,17 @@ void ScriptHost::tick_callee(ScriptSlot& caller, ScriptSlot& callee, std::span<c
   const bool has_ended = continues && callee.machines.front().machine.outcome() != BehaviorEnd::none;
   if (call != nullptr && !has_ended && !give_arguments(caller, callee, *machine, *call)) return;
   const auto begin_visit = [&] {
-    callee.visit.reset();
-    if (call != nullptr) callee.end = {};
-    if (call != nullptr) callee.visit = CallVisit{state_of(*machine, *call).path, machine->entered_at(call->state)};
+    callee.leave();
+    if (call == nullptr) return;
+    callee.set_end(BehaviorEnd::none, "");
+    callee.visit_from(state_of(*machine, *call).path, machine->entered_at(call->state));
   };
   if (callee.stopped) {
     if (!continues) {
       callee.machines.front().machine.clear();  // once it is fixed, it starts again
       begin_visit();
     }
-    if (call != nullptr) callee.end = {BehaviorEnd::failed, "its script was stopped after errors"};
+    if (call != nullptr) callee.set_end(BehaviorEnd::failed, "its script was stopped after errors");
     return;
   }
   if (!has_ended) {
@@ -309,7 +321,7 @@ void ScriptHost::tick_callee(ScriptSlot& caller, ScriptSlot& callee, std::span<c
   }
   if (const Machine& its_machine = callee.machines.front().machine;
       callee.visit && callee.end.how == BehaviorEnd::none && its_machine.outcome() != BehaviorEnd::none)
-    callee.end = {its_machine.outcome(), names_[its_machine.reason()]};
+    callee.set_end(its_machine.outcome(), names_[its_machine.reason()]);
   tick_callees(callee, world);
 }
 

@@ -74,7 +74,24 @@ struct ScriptSlot {
   CallEnd end;                       ///< of the latest visit; none: it has not ended, or was left before
   std::vector<CallArgument> given;   ///< of a behavior that was loaded by name
   bool was_refused = false;          ///< its latest version was not accepted
+  std::string spare;                 ///< memory of the next visit's text
   bool has_other_calls = false;      ///< a rollback has replaced the version that declares its callees
+
+  // The texts of visits and ends use their memory again, so that no frame needs the heap.
+  void leave() {
+    if (visit) spare.swap(visit->state);
+    visit.reset();
+  }
+  void visit_from(std::string_view state, double entered_at) {
+    leave();
+    visit.emplace().state.swap(spare);
+    visit->state = state;
+    visit->entered_at = entered_at;
+  }
+  void set_end(BehaviorEnd how, std::string_view reason) {
+    end.how = how;
+    end.reason = reason;
+  }
 
   Machine* machine_named(std::string_view name) {
     for (Running& running : machines) {

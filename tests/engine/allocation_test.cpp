@@ -38,6 +38,47 @@ void* operator new[](std::size_t size) { return allocate(size); }
 namespace reorient {
 namespace {
 
+/// A behavior that runs `callee` in two states, with an argument of each type, and changes between them after `period`
+/// (s). Its names are longer than the texts that a std::string holds without the heap.
+std::string calling_behavior(const std::string& name, const std::string& callee, const std::string& period) {
+  const std::string run = callee.empty() ? "" : "run \"" + callee + R"(" {
+    distance_to_the_point = function() return 0.1 * pose.x end,
+    count = 2,
+    is_in_a_hurry = function() return pose.y > 0 end,
+    way = "around the obstacle",
+    foot = function() return pose.x > 0 and "left" or "right" end,
+  },)";
+  return R"(local a = args {
+  distance_to_the_point = { 0.0, range = { -10, 10 }, unit = "m", doc = "where" },
+  count = { 1, range = { 1, 3 }, integer = true, doc = "how often" },
+  is_in_a_hurry = { false, doc = "whether it hurries" },
+  way = { "straight ahead", choices = { "straight ahead", "around the obstacle" }, doc = "which way" },
+  foot = { "left", choices = { "left", "right" }, doc = "which foot" },
+}
+local function look() head.look(a.distance_to_the_point, a.is_in_a_hurry and 0.1 or 0.2) end
+local function has_waited() return )" +
+         (callee.empty() ? std::string("false")
+                         : "called." + callee + ".outcome == \"done\" and called." + callee + ".reason ~= nil") +
+         R"( end
+behavior ")" +
+         name + R"(" { initial = "in the state near the point",
+  state "in the state near the point" { update = look, )" +
+         run + R"(
+    { "in the state far from it", after = )" +
+         period + R"(, because = "it was near for long enough" },
+    { "in the state far from it", when = has_waited, because = "the behavior that it runs has ended" },
+  },
+  state "in the state far from it" { update = look, )" +
+         run + R"(
+    { "in the state near the point", when = function() return a.count == 1 end, lasting = )" +
+         period + R"(, because = "it was far away for long enough" },
+    { "at the end of what it does", after = function() return a.count > 1 and 0.2 or 1000 end,
+      because = "it was run for long enough" },
+  },
+  state "at the end of what it does" { ends = "done" },
+})";
+}
+
 /// A robot that walks between the penalty marks and has learned the room.
 class SteadyState : public testing::TestWithParam<Cameras> {
  protected:
@@ -47,8 +88,12 @@ class SteadyState : public testing::TestWithParam<Cameras> {
     parameters.cameras = GetParam();
     FrameSetup setup;
     setup.scripts = read_scripts(std::filesystem::path(kSourceFolder) / "scripts");
-    setup.behaviors = {"orientation", "background_training", "kidnap_recovery", "goal_search",
-                       "wall_gaze",   "head_scan",           "get_up",          "penalty_marks"};
+    setup.behaviors = {"orientation", "background_training", "kidnap_recovery", "goal_search", "wall_gaze", "head_scan",
+                       "get_up",      "penalty_marks",       "outermost"};
+    // Three levels of calls. The inner two are given a count above 1, so that they end.
+    setup.scripts.apply({"behaviors/outermost.lua", ScriptText{calling_behavior("outermost", "middle", "2"), ""}});
+    setup.scripts.apply({"behaviors/middle.lua", ScriptText{calling_behavior("middle", "innermost", "0.5"), ""}});
+    setup.scripts.apply({"behaviors/innermost.lua", ScriptText{calling_behavior("innermost", "", "0.1"), ""}});
     const Pose2 start(-2.0, 1.0, 0.5);
     simulator.emplace(parameters, setup.body, setup.field, procedural_hall(1, {}), start, 1);
     engine.emplace(std::move(setup));
@@ -72,6 +117,8 @@ class SteadyState : public testing::TestWithParam<Cameras> {
       counting = true;
       const FrameRecord& record = engine->step(inputs, wanted);
       counting = false;
+      for (const TransitionRecord& transition : record.transitions)
+        transitions_of_the_innermost += is_steady && record.name(transition.machine) == "outermost/middle/innermost";
       simulator->answer(record.answer);
       inputs.external = {};
     }
@@ -80,11 +127,13 @@ class SteadyState : public testing::TestWithParam<Cameras> {
   std::optional<Simulator> simulator;
   std::optional<FrameLoop> engine;
   FrameInputs inputs;
+  int transitions_of_the_innermost = 0;
 };
 
 TEST_P(SteadyState, AllocatesNothing) {
   EXPECT_EQ(allocations_when_steady({}), 0);
   EXPECT_GT(engine->record().world.confidence.coverage, 0.5) << "the frames should use all parts of the engine";
+  EXPECT_GT(transitions_of_the_innermost, 20) << "behaviors three levels deep should start and end";
 }
 
 TEST_P(SteadyState, AllocatesNothingWithAllTopicsRequested) { EXPECT_EQ(allocations_when_steady(Topics::all()), 0); }
