@@ -165,6 +165,46 @@ TEST_F(Application, WrongListsTextsAndIntegersAreRefused) {
   EXPECT_EQ(logged(), Texts{"input.teammates: number: expected an integer, found 1.5"});
 }
 
+TEST_F(Application, NumbersThatAreNotFiniteAreRefusedInEveryType) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double number : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    updating("log.info(input.ball.x .. tostring(input.ball.seen) .. input.target.y .. #input.teammates)");
+    set(0, {{number}, {}});
+    set(1, {{number}, {}});
+    set(3, {{1.0, number, 0.0}, {}});
+    set(4, {{number}, {""}});
+    const Texts texts = logged();
+    ASSERT_EQ(texts.size(), 5u) << number;
+    EXPECT_EQ(texts[0].find("input.ball.x: expected a number from -10 to 10 m, found "), 0u) << texts[0];
+    EXPECT_EQ(texts[1].find("input.ball.seen: expected true or false, found "), 0u) << texts[1];
+    EXPECT_EQ(texts[2].find("input.target: expected finite coordinates, found "), 0u) << texts[2];
+    EXPECT_EQ(texts[3].find("input.teammates: number: expected an integer, found "), 0u) << texts[3];
+    EXPECT_EQ(texts[4], "0.5false2.00");
+  }
+}
+
+TEST_F(Application, NamesOfTheProgramCanBeDeclaredAndStaySeparate) {
+  FrameSetup setup;
+  setup.application = soccer();
+  for (const char* const name : {"robot.posture", "pose", "game.state", "command.flip_pose", "action.kick"})
+    setup.application.values.push_back(value(name, declared_field("", FieldType::number, {{7.0}, {}})));
+  for (const char* const name : {"flip_pose", "velocity", "state"})
+    setup.application.actions.push_back({name, "", {}, 0.5, false});
+  loop_.emplace(R"(behavior "tested" { update = function()
+      log.info(robot.posture .. input.robot.posture .. game.state .. input.game.state)
+      log.info(type(pose.x) .. input.pose .. type(command.flip_pose) .. input.command.flip_pose .. input.action.kick)
+      action.flip_pose() action.velocity() action.state()
+      log.info(action.flip_pose.state)
+    end })",
+                std::move(setup));
+  EXPECT_EQ(logged(), (Texts{"upright7.0unknown7.0", "number7.0function7.07.0", "idle"}));
+  const FrameRecord& record = loop_->record();
+  EXPECT_EQ(record.answer.actions.size(), 3u);
+  EXPECT_TRUE(record.commands.empty());
+  EXPECT_FALSE(record.reorientation) << "an action of the application corrects no pose";
+  EXPECT_EQ(record.answer.request.walk.forward, 0.0);
+}
+
 TEST_F(Application, AFloodOfValuesIsCut) {
   updating("log.info(tostring(input.ball.x))");
   for (int i = 0; i < 100'000; ++i) set(static_cast<std::uint16_t>(i % 60'000), {{1.0}, {}});

@@ -123,13 +123,18 @@ TEST(PendingActions, AreSentUntilAReportAndNotAfterTheirTime) {
             std::string::npos);
 }
 
+/// Declares a value with another type.
+constexpr const char* kOtherText = "the text of the next session";
+
 class ApplicationClient : public testing::Test {
  protected:
   ApplicationClient() {
     KnownRobots known = no_known_robots();
     known.interface = [](std::string_view text, const std::string& name) {
-      if (text != "the text") throw std::runtime_error(name + ":1: no");
-      return team();
+      if (text != "the text" && text != kOtherText) throw std::runtime_error(name + ":1: no");
+      ApplicationInterface declared = team();
+      if (text == kOtherText) declared.values[1].fields = {declared_field("", FieldType::text, {{}, {"no"}})};
+      return declared;
     };
     companion_.emplace(CompanionOptions{folder_.path() / "socket", known, 77, [this] { return now_; },
                                         [this] { return ++looks_ > 3; }, 0.0});
@@ -225,6 +230,51 @@ TEST_F(ApplicationClient, ValuesArriveWithTheNextFrameTheLatestOfEach) {
   observation = observed();
   ASSERT_TRUE(observation);
   EXPECT_TRUE(observation->external.values.empty());
+}
+
+TEST_F(ApplicationClient, MaySendThousandsOfValuesForOneFrame) {
+  RawClient client = greeted();
+  std::vector<std::byte> flood;
+  constexpr int kMessages = 3000;
+  for (int i = 1; i <= kMessages; ++i) {
+    const std::string json = R"({"ball": {"x": )" + std::to_string(i) + "}}";
+    const reorient_header header{static_cast<std::uint32_t>(json.size()), REORIENT_VALUES, REORIENT_VERSION_2};
+    const auto head = std::as_bytes(std::span(&header, 1)), text = std::as_bytes(std::span(json));
+    flood.insert(flood.end(), head.begin(), head.end());
+    flood.insert(flood.end(), text.begin(), text.end());
+  }
+  ASSERT_TRUE(client.send_bytes(flood));
+  std::optional<Observation> observation;
+  for (std::uint64_t frame = 1; frame < 100; ++frame) {
+    client.send_frame(33.0 + 0.033 * static_cast<double>(frame), frame);
+    const std::optional<Observation> next = observed();
+    if (!next) continue;
+    EXPECT_LE(next->external.values.size(), 1u) << "only the latest of each value";
+    if (!next->external.values.empty()) observation = next;
+    if (observation && observation->external.values[0].data.numbers[0] == kMessages) break;
+  }
+  ASSERT_TRUE(observation);
+  EXPECT_EQ(observation->external.values[0].data.numbers[0], kMessages);
+}
+
+TEST_F(ApplicationClient, IsAnotherRobotIfATypeOfItsInterfaceHasChanged) {
+  {
+    RawClient client = greeted();
+    send_values(client, R"({"ball": {"seen": true}})");
+    client.send_frame(33.0, 1);
+    ASSERT_TRUE(observed());
+  }
+  static_cast<void>(observed());  // notices the end
+  RawClient client(folder_.path() / "socket");
+  client.introduce(hello(kOtherText, static_cast<std::uint32_t>(std::strlen(kOtherText))));
+  EXPECT_FALSE(observed());
+  client.send_frame(33.1, 1);
+  EXPECT_FALSE(observed());
+  ASSERT_TRUE(companion_->has_other_robot()) << "it needs an engine of its own: the stored value has the old type";
+  looks_ = 0;
+  const Handshake* const handshake = companion_->wait_for_handshake();
+  ASSERT_NE(handshake, nullptr);
+  EXPECT_EQ(handshake->application.values[1].fields.at(0).type, FieldType::text);
 }
 
 TEST_F(ApplicationClient, IsRefusedForUnknownNamesAndTooManyBytes) {
