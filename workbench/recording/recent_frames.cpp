@@ -3,6 +3,7 @@
 
 #include <array>
 #include <exception>
+#include <new>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 
 #include "engine/record/input_bytes.h"
 #include "geometry/bytes.h"
+#include "workbench/recording/byte_blocks.h"
 #include "workbench/recording/packed_image.h"
 #include "workbench/run/batch_thread.h"
 #include "workbench/views/viewer/viewer_messages.h"
@@ -21,14 +23,6 @@ namespace reorient {
 namespace {
 
 constexpr int kLevel = 1;  // the fastest of zstd: the frames are kept for less than a minute
-
-std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
-  std::vector<std::byte> all(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(all.data(), all.size(), bytes.data(), bytes.size(), kLevel);
-  if (ZSTD_isError(size) != 0)
-    throw std::runtime_error(std::string("compression with zstd failed: ") + ZSTD_getErrorName(size));
-  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size)};
-}
 
 std::vector<std::byte> uncompressed(std::span<const std::byte> bytes) {
   std::vector<std::byte> all(ZSTD_getFrameContentSize(bytes.data(), bytes.size()));
@@ -51,12 +45,63 @@ struct RecentFrames::PackedFrame {
   std::uint64_t frame = 0;
   double time = 0.0;
   bool has_state = false;
-  std::vector<std::byte> entry, state;  // compressed
-  std::array<std::vector<std::byte>, 2> images;
+  ByteBlocks::Kept kept;                     // all that follows
+  std::span<const std::byte> entry, state;  // compressed
+  std::array<std::span<const std::byte>, 2> images;
 
-  std::size_t bytes() const {
-    return sizeof(PackedFrame) + entry.size() + state.size() + images[0].size() + images[1].size();
+  std::size_t bytes() const { return sizeof(PackedFrame) + kept.bytes.size(); }
+};
+
+/// Compresses frames. Its memory is reused from frame to frame.
+class RecentFrames::Packer {
+ public:
+  std::unique_ptr<PackedFrame> pack(const Item& item) {
+    auto frame = std::make_unique<PackedFrame>();
+    frame->frame = item.entry.frame;
+    frame->time = item.entry.time;
+    frame->has_state = !item.state.empty();
+    packed_.clear();
+    plain_.clear();
+    write_frame_entry(item.entry, plain_);
+    std::array<std::size_t, 4> ends{compress(plain_), compress(item.state)};
+    for (std::size_t camera = 0; camera < item.images.size(); ++camera) {
+      plain_.clear();
+      if (item.entry.has_image[camera]) pack_image(item.images[camera].view(), plain_);
+      ends[2 + camera] = compress(plain_);
+    }
+    frame->kept = blocks_.keep(packed_);
+    const auto part = [&](std::size_t i) {
+      const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+      return frame->kept.bytes.subspan(begin, ends[i] - begin);
+    };
+    frame->entry = part(0);
+    frame->state = part(1);
+    frame->images = {part(2), part(3)};
+    return frame;
   }
+
+ private:
+  /// Appends the compressed bytes to `packed_`, nothing for none. Returns where they end.
+  std::size_t compress(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return packed_.size();
+    if (!context_) throw std::bad_alloc();
+    const std::size_t begin = packed_.size(), bound = ZSTD_compressBound(bytes.size());
+    packed_.resize(begin + bound);
+    const std::size_t size =
+        ZSTD_compressCCtx(context_.get(), packed_.data() + begin, bound, bytes.data(), bytes.size(), kLevel);
+    if (ZSTD_isError(size) != 0)
+      throw std::runtime_error(std::string("compression with zstd failed: ") + ZSTD_getErrorName(size));
+    packed_.resize(begin + size);
+    return packed_.size();
+  }
+
+  struct Free {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+  };
+
+  const std::unique_ptr<ZSTD_CCtx, Free> context_{ZSTD_createCCtx()};
+  std::vector<std::byte> plain_, packed_;
+  ByteBlocks blocks_;
 };
 
 class RecentFrames::Player : public FrameSource {
@@ -154,27 +199,10 @@ void RecentFrames::observe(const FrameRecord& frame, const SceneTruth& scene) {
   wake_.notify_one();
 }
 
-std::unique_ptr<RecentFrames::PackedFrame> RecentFrames::packed(const Item& item) {
-  auto frame = std::make_unique<PackedFrame>();
-  frame->frame = item.entry.frame;
-  frame->time = item.entry.time;
-  frame->has_state = !item.state.empty();
-  std::vector<std::byte> bytes;
-  write_frame_entry(item.entry, bytes);
-  frame->entry = compressed(bytes);
-  if (frame->has_state) frame->state = compressed(item.state);
-  for (std::size_t camera = 0; camera < frame->images.size(); ++camera) {
-    if (!item.entry.has_image[camera]) continue;
-    bytes.clear();
-    pack_image(item.images[camera].view(), bytes);
-    frame->images[camera] = compressed(bytes);
-  }
-  return frame;
-}
-
 /// Runs in the thread.
 void RecentFrames::pack_items() {
   become_batch_thread(kLiveNiceness);
+  Packer packer;
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
@@ -184,7 +212,7 @@ void RecentFrames::pack_items() {
     std::shared_ptr<const PackedFrame> frame;
     try {
       digest_topics(item->entry.record, item->places, item->entry.digests);
-      frame = packed(*item);
+      frame = packer.pack(*item);
     } catch (const std::exception&) {  // no memory is left; a replay continues with the next state
     }
     lock.lock();

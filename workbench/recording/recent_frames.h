@@ -47,10 +47,10 @@ class RecentFrames : public Observer {
  private:
   struct Item;
   struct PackedFrame;
+  class Packer;
   class Player;
 
   void pack_items();
-  static std::unique_ptr<PackedFrame> packed(const Item& item);
   void keep(std::shared_ptr<const PackedFrame> frame);
 
   const RecentFramesOptions options_;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "engine/record/input_bytes.h"
 #include "tests/engine/eventful_run.h"
 #include "tests/waiting.h"
+#include "workbench/recording/byte_blocks.h"
 #include "workbench/recording/recent_frames.h"
 
 namespace reorient {
@@ -149,6 +151,34 @@ TEST_F(KeptRun, ForgetsTheOldestFramesAboveItsLimit) {
   EXPECT_EQ(answer.frames.size(), counts.frames);
   EXPECT_EQ(answer.frames.front().time, counts.begin);
   EXPECT_FALSE(answer.first_action);
+}
+
+TEST(ByteBlocks, UseReleasedMemoryAgainAndKeepTheRest) {
+  constexpr std::size_t kMany = 3'000'000;
+  ByteBlocks blocks;
+  std::vector<ByteBlocks::Kept> kept;
+  std::set<const std::byte*> places;
+  for (int i = 0; i < 50; ++i) {
+    kept.push_back(blocks.keep(std::vector<std::byte>(kMany, static_cast<std::byte>(i))));
+    places.insert(kept.back().bytes.data());
+    if (kept.size() > 4) kept.erase(kept.begin());
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      const auto expected = static_cast<std::byte>(i + 1 - static_cast<int>(kept.size()) + static_cast<int>(k));
+      ASSERT_EQ(kept[k].bytes.front(), expected);
+      ASSERT_EQ(kept[k].bytes.back(), expected);
+    }
+  }
+  EXPECT_LE(places.size(), 6u) << "four that are kept, one that is filled, one that was released";
+}
+
+TEST(ByteBlocks, KeepMoreThanABlockAndOutliveTheirObject) {
+  std::optional<ByteBlocks> blocks(std::in_place);
+  const ByteBlocks::Kept large = blocks->keep(std::vector<std::byte>(9'000'000, std::byte{7}));
+  const ByteBlocks::Kept small = blocks->keep(std::vector<std::byte>(10, std::byte{8}));
+  blocks.reset();
+  EXPECT_EQ(large.bytes.size(), 9'000'000u);
+  EXPECT_EQ(large.bytes.back(), std::byte{7});
+  EXPECT_EQ(small.bytes.back(), std::byte{8});
 }
 
 TEST_F(KeptRun, ContinuesAfterFramesThatWereNotShown) {
