@@ -26,6 +26,7 @@ SimulationOptions options_of(const Condition& condition, std::uint64_t seed, con
   options.without = condition.without;
   options.scripts = scripts;
   options.field = condition.field;
+  options.interface = condition.interface;
   options.body = condition.body;
   options.room = condition.room;
   options.hall_seed = condition.hall_seed;

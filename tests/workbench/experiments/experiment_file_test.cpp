@@ -191,6 +191,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Width", kBegin + "width = 200", ":4: width: expected 160, 320, 544 or 640 pixels, found 200"},
         Mistake{"Cameras", kBegin + "cameras = \"lower\"",
                 ":4: cameras: expected \"upper\" or \"both\", found \"lower\""},
+        Mistake{"Interface", kBegin + "interface = true", ":4: interface: expected a text in quotes, found true"},
         Mistake{"Seconds", kBegin + "seconds = nan", ":4: seconds: expected a number from 1 to 86400, found nan"},
         Mistake{"SecondsText", kBegin + "seconds = \"10\"",
                 ":4: seconds: expected a number from 1 to 86400, found '10'"},

@@ -47,6 +47,7 @@ void apply(const ConditionPatch& patch, Condition& condition) {
   set(condition.room, patch.room);
   set(condition.hall_seed, patch.hall_seed);
   set(condition.field, patch.field);
+  set(condition.interface, patch.interface);
   set(condition.body, patch.body);
   set(condition.cameras, patch.cameras);
   set(condition.width, patch.width);
@@ -77,6 +78,7 @@ std::string as_text(const Condition& condition) {
   add("room", condition.room);
   add("hall_seed", condition.hall_seed ? std::to_string(*condition.hall_seed) : "");
   add("field", condition.field);
+  if (!condition.interface.empty()) add("interface", condition.interface);
   add("body", condition.body);
   add("cameras", condition.cameras);
   add("width", std::to_string(condition.width));

@@ -28,6 +28,7 @@ struct Condition {
   std::string room;                          ///< panorama, by its path or as a shipped one; empty: the built-in hall
   std::optional<std::uint64_t> hall_seed;    ///< of the built-in hall; nothing: the scenario's
   std::string field;                         ///< file, or the name of a shipped one; empty: the scenario's
+  std::string interface;                     ///< that the simulator plays; file, or a shipped one; empty: none
   std::string body = "nao-v6";               ///< file, or the name of a shipped one
   std::string cameras = "upper";             ///< or "both"
   int width = 320;                           ///< of the images, pixels
@@ -55,6 +56,7 @@ struct ConditionPatch {
   std::optional<std::string> room;
   std::optional<std::uint64_t> hall_seed;
   std::optional<std::string> field;
+  std::optional<std::string> interface;
   std::optional<std::string> body;
   std::optional<std::string> cameras;
   std::optional<int> width;

@@ -205,6 +205,7 @@ class ExperimentReader {
         {"room", [&](auto& key, auto& value) { patch.room = in.text(key, value); }},
         {"hall_seed", [&](auto& key, auto& value) { patch.hall_seed = in.whole(key, value, 0, kMostSeeds); }},
         {"field", [&](auto& key, auto& value) { patch.field = in.text(key, value); }},
+        {"interface", [&](auto& key, auto& value) { patch.interface = in.text(key, value); }},
         {"body", [&](auto& key, auto& value) { patch.body = in.text(key, value); }},
         {"cameras",
          [&](auto& key, auto& value) {

@@ -74,6 +74,7 @@ class Settings {
     set("room", patch.room, text);
     set("hall_seed", patch.hall_seed, [](std::uint64_t value) { return std::to_string(value); });
     set("field", patch.field, text);
+    set("interface", patch.interface, text);
     set("body", patch.body, text);
     set("cameras", patch.cameras, text);
     set("width", patch.width, [](int value) { return std::to_string(value); });
