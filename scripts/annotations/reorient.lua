@@ -489,6 +489,132 @@ function library.note(what) end
 end
 
 do
+---The evidence for the mirrored pose, as the sum of separately reported parts: the room, the ball as the team sees it, the referee's rule that robots are in their own half before a kick-off, and the time since the side was last certain. Each part is in log-odds; positive values support the mirrored pose. Only the room counts in a run without the behavior team_side.
+---@class lib.side
+local library = {}
+
+--- Whether more than the room counts: the behavior team_side runs.
+---@return boolean
+function library.is_extended() end
+
+--- The parts of the evidence, each in log-odds.
+---@return number room
+---@return number team
+---@return number rule
+---@return number time
+function library.parts() end
+
+--- The sum of the parts: 4.6 means 99 in 100 for the mirrored pose, negative values support the believed pose.
+---@return number log_odds
+function library.evidence() end
+
+--- The sum of the parts beside the room.
+---@return number log_odds
+function library.evidence_beside_room() end
+
+--- Whether a part can tell the side, and the parts do not contradict each other.
+---@return boolean
+function library.can_tell() end
+
+--- How sure the robot is that its believed side is right, without what the team says.
+---@return number log_odds
+---@return integer belief number that changes when its side may have changed
+function library.own_certainty() end
+
+--- All parts with their reasons, for a log.
+---@return string reason
+function library.reason() end
+
+--- Updates the parts, once in each frame.
+function library.update() end
+end
+
+do
+---The message in which a robot tells its teammates where it sees the ball, and how sure it is of its own side. It has the form `side X Y DEVIATION AGE CERTAINTY BELIEF`, as in `side 1.20 -0.35 0.21 0.10 4.3 2`.
+---@class lib.side_report
+local library = {}
+
+--- The text of a report. Values outside of the ranges are limited.
+---@param ball table position `x`, `y` on the field by the believed pose (m), `deviation` (m) and `age` (s)
+---@param certainty number log-odds that the believed side is right, from the robot's own evidence
+---@param belief integer number that changes when the robot's side may have changed
+---@return string text
+function library.encode(ball, certainty, belief) end
+
+--- Reads a report.
+---@param text string message of a teammate
+---@return table report `x`, `y`, `deviation` (m), `age` (s), `certainty` (log-odds), `belief`; nil: the text is not a valid report
+function library.decode(text) end
+end
+
+do
+---Teammates for scenarios: they stand around the ball, follow it if it rolls away, see it with errors, and send where they believe it to be, with the message of lib.side_report. The messages are lost and late as in a game of the simulator. The errors of the ball are those of the simulator's detector (`ball_sensor`); those of the poses are larger than the errors that a robot of the simulator has.
+---@class lib.simulated_team
+local library = {}
+
+--- A random number with the normal distribution.
+---@param deviation number standard deviation
+---@return number value
+function library.normal(deviation) end
+
+--- A random place on the field.
+---@param x number m, center of the ring
+---@param y number m
+---@param nearest number m, inner radius of the ring
+---@param farthest number m, outer radius of the ring
+---@param margin number m, smallest distance from the lines
+---@return number x m
+---@return number y m
+function library.place_around(x, y, nearest, farthest, margin) end
+
+--- Places the teammates around the ball.
+---@param number integer of teammates
+---@param mirrored integer how many of them, the first ones, believe the mirrored pose
+---@param certainty number log-odds of their own side that all of them report
+function library.place(number, mirrored, certainty) end
+
+--- Moves the teammates, sends and delivers messages, once in each frame.
+function library.update() end
+end
+
+do
+---The evidence of ball and team for the mirrored pose. A robot whose belief is mirrored sees the ball at the mirrored place. So each report of a teammate is compared with where this robot sees the ball, and with the reflection of that place. The errors of both are normally distributed, and some reports show something else. Looks at one scene share most of their errors, so they count once: another scene begins when the ball has moved. A teammate may be mirrored itself, so its reports are never worth more than its own certainty.
+---@class lib.team_evidence
+local library = {}
+
+--- Standard deviation of the position of a ball on the field, as a robot measures it.
+---@param distance number m, of the ball from the robot
+---@return number deviation m
+function library.deviation(distance) end
+
+--- Where this robot sees the ball on the field by its believed pose.
+---@return table ball `x`, `y`, `deviation` (m) and `age` (s); nil: it was not seen lately
+function library.ball() end
+
+--- Looks at the ball and listens to the teammates, once in each frame.
+---@param is_certain_of_position boolean whether the believed pose or its reflection is right
+function library.update(is_certain_of_position) end
+
+--- The evidence of all teammates for the mirrored pose.
+---@return number log_odds
+function library.evidence() end
+
+--- Why the evidence is what it is.
+---@return string reason
+function library.reason() end
+
+--- The believed pose was replaced by its reflection: what agreed before contradicts now.
+function library.flip() end
+
+--- The side may have changed with a probability: what was counted is worth less.
+---@param probability number 0 to 0.5
+function library.weaken(probability) end
+
+--- Nothing that was seen before counts any more.
+function library.forget() end
+end
+
+do
 ---Walks to a point on the field by the believed pose.
 ---@class lib.walk
 local library = {}
@@ -585,6 +711,10 @@ function scenario(name) end
 ---@overload fun(module: "lib.decision"): lib.decision
 ---@overload fun(module: "lib.gaze"): lib.gaze
 ---@overload fun(module: "lib.ground_truth"): lib.ground_truth
+---@overload fun(module: "lib.side"): lib.side
+---@overload fun(module: "lib.side_report"): lib.side_report
+---@overload fun(module: "lib.simulated_team"): lib.simulated_team
+---@overload fun(module: "lib.team_evidence"): lib.team_evidence
 ---@overload fun(module: "lib.walk"): lib.walk
 ---@param module string
 ---@return any

@@ -1,12 +1,14 @@
---- Decides which of the two symmetric poses is correct. If the room supports the mirrored pose, the
+--- Decides which of the two symmetric poses is correct. If the evidence supports the mirrored pose, the
 --- belief is flipped. If it supports the believed pose while wrong particles remain, those are purged. After a fall from
---- which the robot got up, the orientation is reset. confidence.status shows whether the confidences are valid. lib.decision
---- sets the threshold: lower for an unconfirmed pose, so that the belief of a placed robot is soon correct, and higher for a
---- confirmed pose, which is evaluated repeatedly for hours. Evidence that rises first and then falls causes no flip.
+--- which the robot got up, the orientation is reset. lib.side adds up the evidence: that of the room while confidence.status
+--- is usable, and with the behavior team_side also that of the team, the rules and the time. lib.decision sets the threshold:
+--- lower for an unconfirmed pose, so that the belief of a placed robot is soon correct, and higher for a confirmed pose,
+--- which is evaluated repeatedly for hours. Evidence of the room that rises first and then falls causes no flip.
 
 -- SPDX-License-Identifier: MIT
 
 local decision = require "lib.decision"
+local side = require "lib.side"
 
 local p = param {
   hold_time  = { 0.2,  range = { 0, 10 }, unit = "s", doc = "time for which the evidence must exceed the threshold" },
@@ -23,9 +25,8 @@ local memory = keep { flips = 0, purges = 0, resets = 0, confirm = false, age_wh
 -- after either, wrong particles are purged. The purge also makes the pose known again, so that training can continue.
 local function is_purge_due() return memory.confirm or pose.reflected_weight > p.lingering end
 
-local function may_decide() return confidence.status == "usable" end
-
 local function watch_evidence()
+  side.update()
   if confidence.age < memory.age or confidence.age == 0.0 then
     memory.most_evidence = 0.0
     memory.began = clock.time
@@ -38,13 +39,14 @@ end
 -- corrected its belief. Evidence for the reflection then decreases, tile by tile; if the belief is the reflection,
 -- more and more tiles support it.
 local function is_taking_back()
-  return clock.time - memory.began < p.settling and confidence.evidence < (1.0 - p.taken_back) * memory.most_evidence
+  return confidence.status == "usable" and clock.time - memory.began < p.settling and
+    confidence.evidence < (1.0 - p.taken_back) * memory.most_evidence
 end
 
-local function believed_pose_won() return may_decide() and decision.for_believed() end
+local function believed_pose_won() return side.evidence() < -decision.unconfirmed_threshold() end
 
 local function reflected_pose_won()
-  return may_decide() and confidence.evidence > decision.unconfirmed_threshold() and not is_taking_back()
+  return side.evidence() > decision.unconfirmed_threshold() and not is_taking_back()
 end
 
 local function is_upright() return robot.posture == "upright" end
@@ -74,7 +76,7 @@ behavior "orientation" {
     state "confirmed" {
       enter = function() memory.age_when_confirmed = confidence.age end,
       { "correcting",
-        when = function() return may_decide() and confidence.evidence > decision.confirmed_threshold() end,
+        when = function() return side.evidence() > decision.confirmed_threshold() end,
         lasting = "hold_time", because = "the mirrored pose won" },
       { "unconfirmed",
         when = function() return confidence.age < memory.age_when_confirmed end,
@@ -90,7 +92,7 @@ behavior "orientation" {
     end,
     -- A refused flip has mirrored nothing, and a purge would remove the particles that the room supports.
     { "purging",
-      when = function() return confidence.evidence < 0 and pose.reflected_weight > p.lingering end,
+      when = function() return confidence.evidence + side.evidence_beside_room() < 0 and pose.reflected_weight > p.lingering end,
       because = "the flip also mirrored correct particles" },
     { "watching", after = "min_time" },
   },
