@@ -30,7 +30,7 @@ Condition shortened(Condition condition) {
   condition.measurement.limit = 1.0;
   condition.measurement.hold = 0.5;
   for (const char* name : {"trial.learn", "mirrored_placement.learn", "kidnapped.learn", "fallen.learn",
-                           "elsewhere.learn", "learned_mirrored.learn"})
+                           "elsewhere.learn", "learned_mirrored.learn", "side_trial.learn"})
     condition.parameters.push_back({name, "2", ParameterOrigin::file, "this test"});
   for (const char* name : {"trial.wait_least", "trial.wait_most"})
     condition.parameters.push_back({name, "0", ParameterOrigin::file, "this test"});
@@ -43,11 +43,13 @@ Condition shortened(Condition condition) {
   return condition;
 }
 
-/// The event of a condition: the parameter trial.event for the scenario `trial`, otherwise the scenario's name.
+/// The event of a condition: the parameter trial.event for the scenario `trial`, what side_trial.mirrored means for
+/// `side_trial`, otherwise the scenario's name.
 std::string event_of(const Condition& condition) {
   std::string event = condition.scenario;
   for (const ParameterChange& change : condition.parameters) {
     if (change.name == "trial.event") event = change.value;
+    if (change.name == "side_trial.mirrored") event = change.value == "true" ? "mirrored_placement" : "put_back";
   }
   return event;
 }
@@ -84,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment,
                                            "symmetry_mark", "another_day", "bodies", "disturbances", "elsewhere",
                                            "companions", "stress", "ablation", "filters", "gaze", "learned_mirrored",
                                            "localization", "paper_thresholds", "peers", "peers_failures",
-                                           "mirrored_placement", "walls"),
+                                           "mirrored_placement", "side", "walls"),
                          [](const auto& one) { return std::string(one.param); });
 
 TEST(ARoomLearnedOnAnotherDay, ShowsAWrongBeliefAtOnce) {
@@ -175,28 +177,12 @@ TEST(ShippedExperiments, AreAllCoveredByTheTestAbove) {
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "assets/experiments"))
     names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"ablation",
-                                             "another_day",
-                                             "bodies",
-                                             "companions",
-                                             "disturbances",
-                                             "elsewhere",
-                                             "false_flips",
-                                             "filters",
-                                             "gaze",
-                                             "learned_mirrored",
-                                             "localization",
-                                             "mirrored_placement",
-                                             "orientation",
-                                             "paper_thresholds",
-                                             "peers",
-                                             "peers_failures",
-                                             "stress",
-                                             "symmetric",
-                                             "symmetry_ladder",
-                                             "symmetry_mark",
-                                             "table1",
-                                             "walls"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"ablation",      "another_day",      "bodies",       "companions",
+                                             "disturbances",  "elsewhere",        "false_flips",  "filters",
+                                             "gaze",          "learned_mirrored", "localization", "mirrored_placement",
+                                             "orientation",   "paper_thresholds", "peers",        "peers_failures",
+                                             "side",          "stress",           "symmetric",    "symmetry_ladder",
+                                             "symmetry_mark", "table1",           "walls"}));
 }
 
 }  // namespace
