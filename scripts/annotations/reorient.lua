@@ -578,7 +578,7 @@ function library.update() end
 end
 
 do
----The evidence of ball and team for the mirrored pose. A robot whose belief is mirrored sees the ball at the mirrored place. So each report of a teammate is compared with where this robot sees the ball, and with the reflection of that place. The errors of both are normally distributed, and some reports show something else. Looks at one scene share most of their errors, so they count once: another scene begins when the ball has moved. A teammate may be mirrored itself, so its reports are never worth more than its own certainty.
+---The evidence of ball and team for the mirrored pose. A robot whose belief is mirrored sees the ball at the mirrored place. So each report of a teammate is compared with where this robot sees the ball, and with the reflection of that place. The errors of both are normally distributed, and some reports show something else. Looks at one scene share most of their errors, so they count once: another scene begins when the ball has moved. A single look may be false, so it counts less than two. A teammate may be mirrored itself, so its reports are never worth more than its own certainty.
 ---@class lib.team_evidence
 local library = {}
 

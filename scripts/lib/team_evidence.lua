@@ -1,8 +1,8 @@
 --- The evidence of ball and team for the mirrored pose. A robot whose belief is mirrored sees the ball at the mirrored place.
 --- So each report of a teammate is compared with where this robot sees the ball, and with the reflection of that place. The
 --- errors of both are normally distributed, and some reports show something else. Looks at one scene share most of their
---- errors, so they count once: another scene begins when the ball has moved. A teammate may be mirrored itself, so its
---- reports are never worth more than its own certainty.
+--- errors, so they count once: another scene begins when the ball has moved. A single look may be false, so it counts less
+--- than two. A teammate may be mirrored itself, so its reports are never worth more than its own certainty.
 
 -- SPDX-License-Identifier: MIT
 
@@ -19,6 +19,7 @@ local p = param {
   mistaken        = { 0.002, range = { 0.0001, 0.2 },          doc = "fraction of the scenes in which the looks fit the wrong pose" },
   moved           = { 0.7,   range = { 0.1, 5 }, unit = "m",   doc = "distance by which the ball must move for another scene" },
   scene_time      = { 2.0,   range = { 0, 60 },  unit = "s",   doc = "shortest duration of a scene" },
+  looks           = { 2,     range = { 1, 100 }, integer = true, doc = "number of looks at a scene that count fully; fewer count less" },
   seen_time       = { 1.0,   range = { 0.1, 10 }, unit = "s",  doc = "time for which a look at the ball counts" },
   trust_time      = { 10.0,  range = { 0.5, 120 }, unit = "s", doc = "time for which the reports of a teammate count after the last one" },
   most_certainty  = { 4.6,   range = { 0, 9.9 },               doc = "largest certainty of a teammate that is believed, in log-odds" },
@@ -106,7 +107,7 @@ local function log_odds(ball, report)
 end
 
 local function relation_of(mate)
-  local scene = mate.looks > 0 and mate.sum / mate.looks or 0.0
+  local scene = mate.sum / math.max(mate.looks, p.looks)
   return math.max(-MOST_RELATION, math.min(MOST_RELATION, mate.relation + scene))
 end
 
