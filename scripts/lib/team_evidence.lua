@@ -145,8 +145,9 @@ local function hear(sender, report, ball)
 end
 
 local function forget_silent_teammates()
-  for sender, mate in pairs(memory.team) do
-    if clock.time - mate.heard_at > p.trust_time then
+  for sender = 1, HIGHEST_PLAYER do
+    local mate = memory.team[sender]
+    if mate and clock.time - mate.heard_at > p.trust_time then
       memory.team[sender] = nil
       memory.number = memory.number - 1
     end
@@ -163,7 +164,10 @@ end
 -- by `mistaken`.
 local function add_up()
   local sum = 0.0
-  for _, mate in pairs(memory.team) do sum = sum + worth(mate) end
+  for sender = 1, HIGHEST_PLAYER do   -- not pairs(): the last bits of a sum depend on its order
+    local mate = memory.team[sender]
+    if mate then sum = sum + worth(mate) end
+  end
   local most = math.log((1.0 - p.mistaken) / p.mistaken)
   memory.evidence = math.max(-most, math.min(most, sum))
 end
