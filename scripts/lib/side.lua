@@ -5,6 +5,7 @@
 
 -- SPDX-License-Identifier: MIT
 
+local decision = require "lib.decision"
 local team_evidence = require "lib.team_evidence"
 
 local p = param {
@@ -48,13 +49,13 @@ end
 
 local function team_part() return p.use_team and team_evidence.evidence() or 0.0 end
 
-local function rule_part() return p.use_rule and -to_log_odds(memory.rule) or 0.0 end
+local function rule_part() return p.use_rule and 0.0 - to_log_odds(memory.rule) or 0.0 end
 
 -- What was certain before resists the other parts, or completes them, but does not count a second time what they say now.
 local function time_part(sureness, others)
   if not p.use_time then return 0.0 end
   local before = to_log_odds(sureness)
-  if before > 0.0 then return -math.max(0.0, before - math.max(0.0, -others)) end
+  if before > 0.0 then return 0.0 - math.max(0.0, before - math.max(0.0, -others)) end
   return math.max(0.0, -before - math.max(0.0, others))
 end
 
@@ -204,13 +205,15 @@ local function watch_rule()
   memory.halfway_at = pose.x
 end
 
+-- Less than certain is not remembered, because a part of it may be contradicted soon, as by another teammate.
 local function remember_certainty()
   local left = 1.0 - 2.0 * math.min(1.0, clock.step) / p.swap_time
   memory.all, memory.own, memory.rule = left * memory.all, left * memory.own, left * memory.rule
   local own = room_part() + rule_part()
   local all = own + team_part()
-  if -own > p.enough then memory.own = math.max(memory.own, to_sureness(-own)) end
-  if -all > p.enough and to_sureness(-all) >= memory.all then
+  local certain = decision.unconfirmed_threshold()
+  if -own > certain then memory.own = math.max(memory.own, to_sureness(-own)) end
+  if -all > certain and to_sureness(-all) >= memory.all then
     memory.all, memory.certain_at = to_sureness(-all), clock.time
   end
   memory.sum = all + time_part(memory.all, all)

@@ -88,6 +88,14 @@ test("two teammates that contradict each other cause no flip", function()
   expect.no_command("flip_pose")
 end)
 
+test("what one teammate says is not certain enough to be remembered", function()
+  begin()
+  hear_for(5, { [2] = AT_BALL })
+  expect.state("team_side", "believed")
+  hear_for(5, { [2] = AT_BALL, [3] = AT_REFLECTION })
+  expect.state("team_side", "cannot tell")
+end)
+
 test("a ball on the center mark tells nothing", function()
   begin()
   for _ = 1, 40 do
@@ -212,7 +220,8 @@ test("certainty decays with the time and with falls", function()
   set_world { pose = { x = -3.0, y = -2.0, rotation = 1.5, known = true } }
   advance(2.0)
   expect.state("team_side", "believed")
-  advance(3600)
+  set_param("side.swap_time", "60")
+  advance(60)
   expect.state("team_side", "cannot tell")
 end)
 
