@@ -34,6 +34,34 @@ namespace reorient {
 namespace {
 
 constexpr const char* kHonest = R"(KIND "honest_one" { update = function() log.info("alive") end })";
+/// What a fuzzed behavior can run: a behavior with an argument of each type that ends in both ways, and runs another.
+constexpr const char* kCalled = R"(local a = args {
+  x = { 0.5, range = { -1, 1 }, unit = "m", doc = "x" },
+  n = { 2, range = { 1, 3 }, integer = true, doc = "n" },
+  on = { false, doc = "on" },
+  mode = { "slow", choices = { "slow", "fast" }, doc = "mode" },
+}
+behavior "called" {
+  initial = "looking",
+  state "looking" {
+    update = function() head.look(a.x, 0.1) end,
+    run "inner" { x = function() return a.x end },
+    { "good", when = function() return a.on and called.inner.outcome == "done" end, because = "the inner one has ended" },
+    { "bad", after = function() return a.mode == "fast" and 0 or a.n end, because = "it took too long" },
+  },
+  state "good" { ends = "done" },
+  state "bad" { ends = "failed" },
+})";
+constexpr const char* kInner = R"(local a = args { x = { 0.0, range = { -1, 1 }, unit = "m", doc = "x" } }
+behavior "inner" {
+  initial = "walking",
+  state "walking" {
+    enter = function() command.pause_training() end,
+    update = function() walk.velocity(a.x, 0, 0) end,
+    { "there", after = 0.03, because = "it is there" },
+  },
+  state "there" { ends = "done" },
+})";
 constexpr int kFrames = 12;  // between two edits
 constexpr std::size_t kMemorySlack = 64 * 1024;
 constexpr std::int64_t kInstructionSlack = 10'000;  // exits, and work of C functions before they are charged
@@ -168,9 +196,12 @@ class Trial {
     std::map<NameId, std::size_t> logged;
     for (const LogRecord& record : output.logs)
       require(++logged[record.machine] <= ScriptActions::kMostPerFrame, "log lines are bounded");
-    std::map<NameId, int> transitions;
+    std::map<NameId, int> transitions, stops;
     for (const TransitionRecord& record : output.transitions) {
-      require(++transitions[record.machine] == 1, "at most one transition for a machine in a frame");
+      // A called behavior stops and starts again in the frame in which its caller enters the state again.
+      const bool is_stop = host_.names()[record.reason] == "its caller has left the state";
+      require(++(is_stop ? stops : transitions)[record.machine] == 1,
+              "at most one transition for a machine in a frame");
       require(record.reason != kNoName, "a transition has a reason");
     }
     rolled_back_ = false;
@@ -302,6 +333,8 @@ ScriptTexts texts_with_honest_one(const std::string& folder, const std::string& 
   ScriptTexts texts;
   texts.apply({folder + "/honest_one.lua", ScriptText{honest, ""}});
   texts.apply({"lib/walk.lua", ScriptText{library(), ""}});
+  texts.apply({"behaviors/called.lua", ScriptText{kCalled, ""}});
+  texts.apply({"behaviors/inner.lua", ScriptText{kInner, ""}});
   return texts;
 }
 
