@@ -318,6 +318,31 @@ TEST_F(RecordedRun, ContinuesWithoutARecordingOnAFullDisk) {
   recorder.reset();
 }
 
+constexpr double kPatience = 60.0;  // s, of a test whose computer is busy
+
+TEST_F(RecordedRun, LetsARobotWithoutRealTimeWaitForTheDiskButNotForever) {
+  std::signal(SIGPIPE, SIG_IGN);
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  const int reader = open(file().c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  RecorderOptions slow = options();
+  slow.most_waiting = 4u << 20;
+  Recorder recorder(slow, [this](const std::string& line) { reports_.push_back(line); });
+  EXPECT_TRUE(recorder.wait_for_thread(0.0)) << "there is nothing to write yet";
+  FrameLoop engine(eventful_setup());
+  bool is_behind = false;
+  for (const Bytes& bytes : run()) {
+    const StoredInputs stored(bytes);
+    recorder.before(stored.inputs(), engine);
+    recorder.observe(engine.step(stored.inputs()), {});
+    is_behind = is_behind || !recorder.wait_for_thread(0.0);
+  }
+  EXPECT_TRUE(is_behind);
+  EXPECT_FALSE(recorder.wait_for_thread(0.0)) << "the disk does not respond";
+  close(reader);  // now writing fails, and the thread ends
+  EXPECT_TRUE(recorder.wait_for_thread(kPatience));
+}
+
 TEST_F(RecordedRun, IsNotReplacedByASecondRunUntilItsEnd) {
   RecorderOptions parts = options();
   parts.rotate_seconds = 5.0;
