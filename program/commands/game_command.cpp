@@ -26,10 +26,11 @@ constexpr const char* kGameGroup = "Game";
 
 void print_team(const SoccerGame& game, int team, std::ostream& out) {
   const TeamResult result = game.result(team);
-  out << fmt::format("  {}: {}, {} ({} failed), {}, {}, {}, {} of {} beliefs right at the end\n", team_name(team),
-                     counted(result.goals, "goal"), counted(result.kicks, "kick"), result.failed_kicks,
-                     counted(result.falls, "fall"), counted(result.faults, "script error"),
-                     counted(result.flips, "flip"), result.correct_beliefs, game.robots() / 2);
+  out << fmt::format("  {}: {}, {}, {}, {}, {}, {}, {} of {} beliefs right at the end\n", team_name(team),
+                     counted(result.goals, "goal"), counted(result.kicks, "kick"),
+                     counted(result.failed_kicks, "failed kick"), counted(result.falls, "fall"),
+                     counted(result.faults, "script error"), counted(result.flips, "flip"), result.correct_beliefs,
+                     game.robots() / 2);
 }
 
 void print_summary_of_game(const SoccerGame& game, double wall_seconds, int threads, std::ostream& out) {

@@ -58,8 +58,9 @@ std::vector<std::string> chosen_behaviors(const SimulationOptions& options, cons
     const auto left_out =
         std::find(rest.begin(), rest.end(), script_file("behaviors", script_named(options.scripts, name)));
     if (left_out == rest.end())
-      throw std::runtime_error(said(options, "without " + name) + ": unknown behavior of scenario " + options.scenario +
-                               did_you_mean(name, wanted));
+      throw std::runtime_error(
+          said(options, "without " + name) + ": unknown behavior of scenario " + options.scenario +
+          (name.find(',') == std::string::npos ? did_you_mean(name, wanted) : " (repeat --without for each behavior)"));
     rest.erase(left_out);
   }
   std::vector<std::string> chosen;

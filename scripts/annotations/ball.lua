@@ -35,7 +35,7 @@
 ---@field seen boolean
 
 ---@class reorient.arguments.kick
----@field direction? number rad, -1 to 1: direction of the ball, positive to the left
+---@field direction? number rad, -1 to 1: direction in which the ball is to roll, relative to the front of the robot, positive to the left
 ---@field foot "left"|"right" foot that kicks
 
 ---@class reorient.Action.kick: reorient.Action

@@ -31,7 +31,7 @@ clock = {}
 ---@field sides_changed boolean whether the teams have changed sides; a change rotates the field's axes by 180 degrees
 ---@field state "unknown"|"initial"|"ready"|"set"|"playing"|"finished"|"standby" state of the game as named in the rules; unknown: the referee has not reported a state
 ---@field stopped boolean whether all robots must stand still; requests of behaviors to head and legs have no effect then
----@field kick_off "nobody"|"ours"|"theirs" team that takes the next kick-off or the free kick
+---@field kick_off "nobody"|"ours"|"theirs" team that takes the kick-off or the free kick; it stays set while the ball is in play, until the next one
 game = {}
 
 ---The robot's own body.
@@ -88,7 +88,7 @@ pose = {}
 ---@field asymmetry number former name of confidence.separability
 ---@field age number s, time for which known tiles were in view since the confidences restarted: after a lift, a fall, a penalty, a set pose, a flip or a jump of the belief
 ---@field status "usable"|"off"|"resting"|"unlearned"|"symmetric"|"lost"|"fresh" whether the confidences are valid for the believed pose, or the reason why not
----@field can_tell boolean whether the room can distinguish the believed pose from the mirrored pose: learned, not symmetric, evaluated; true while confidence.status is usable, lost or fresh
+---@field can_tell boolean whether the room can distinguish the believed pose from the mirrored pose: learned, not symmetric, evaluated; true while confidence.status is usable, lost or fresh; right after a fall or a lift it is resting
 ---@field visible_tiles number number of tiles of the wall that were used in this frame
 confidence = {}
 
@@ -666,7 +666,7 @@ function args(declarations) end
 ---@return T memory
 function keep(defaults) end
 
----Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with equal priorities, the one that was loaded first. `priority = { 50, head = 60 }`: another one for a part of the body. `initial`: the first state. `common`: transitions from any state, not taken while their target is active.
+---Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with equal priorities, the one that was loaded first. `priority = { 50, head = 60 }`: another one for a part of the body. `initial`: the first state. `common`: transitions from any state, not taken while their target is active; if the conditions of two of them hold at the same time, the states alternate in each frame.
 ---@param name string
 ---@return fun(body: reorient.State)
 function behavior(name) end
@@ -856,7 +856,7 @@ function advance_to(time) end
 ---@return number|string|boolean value
 function world_value(name) end
 
----A behavior started the action during the last `advance`, with these arguments if they are given; arguments that are left out have their defaults.
+---A behavior started the action during the last `advance`, with these arguments if they are given, numbers to 1e-6; arguments that are left out have their defaults.
 ---@param action reorient.ApplicationAction
 ---@param arguments? table
 function expect.started(action, arguments) end

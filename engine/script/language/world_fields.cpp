@@ -65,7 +65,8 @@ const BoundField kFields[] = {
     {"game", "stopped", "",
      "whether all robots must stand still; requests of behaviors to head and legs have no effect then",
      [](World& w) { return &w.referee.stopped; }},
-    {"game", "kick_off", "", "team that takes the next kick-off or the free kick",
+    {"game", "kick_off", "",
+     "team that takes the kick-off or the free kick; it stays set while the ball is in play, until the next one",
      [](World& w) { return &w.referee.kick_off; }},
     {"robot", "posture", "", "current posture of the robot", [](World& w) { return &w.posture; }},
     {"robot", "posture_before", "", "previous posture", [](World& w) { return &w.posture_before; }},
@@ -166,7 +167,7 @@ const BoundField kFields[] = {
      [](World& w) { return &w.room_status; }},
     {"confidence", "can_tell", "",
      "whether the room can distinguish the believed pose from the mirrored pose: learned, not symmetric, evaluated; "
-     "true while confidence.status is usable, lost or fresh",
+     "true while confidence.status is usable, lost or fresh; right after a fall or a lift it is resting",
      Computed{[](const World& w) { return can_tell(w.room_status); }, "confidence.status"}},
     {"confidence", "visible_tiles", "", "number of tiles of the wall that were used in this frame",
      [](World& w) { return &w.confidence.visible_tiles; }},

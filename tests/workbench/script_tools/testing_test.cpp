@@ -82,6 +82,7 @@ class ScriptedApplicationTests : public ScriptedTests {
       hand.choices = {"left", "right"};
       hand.is_required = true;
       declared.actions.push_back({"catch", "", {hand}, 3.0, true});
+      declared.actions.push_back({"throw", "", {declared_field("far", FieldType::number, {{0.0}, {}})}, 1.0, false});
       return declared;
     };
     summary = run_script_tests(run, out, trace);
@@ -108,6 +109,14 @@ TEST_F(ScriptedApplicationTests, SetValuesAndSeeStartedActions) {
                 .passed,
             1)
       << out.str();
+}
+
+TEST_F(ScriptedApplicationTests, CompareNumbersOfActionsToAMillionth) {
+  folder.write("behaviors/thrower.lua", R"(behavior "thrower" { initial = "a",
+    state "a" { enter = function() action.throw { far = math.sin(0.3) ^ 2 + math.cos(0.3) ^ 2 - 0.9 } end } })");
+  const std::string begin = "load_behavior 'thrower' advance(0.1) ";
+  EXPECT_EQ(run_with_interface(begin + "expect.started('throw', { far = 0.1 })").passed, 1) << out.str();
+  EXPECT_EQ(run_with_interface(begin + "expect.started('throw', { far = 0.10001 })").passed, 0) << out.str();
 }
 
 TEST_F(ScriptedApplicationTests, FailWithWhatHappenedInstead) {

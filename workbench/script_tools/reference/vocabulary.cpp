@@ -30,7 +30,7 @@ constexpr ScriptWord kLanguage[] = {
      "Declares a state machine. `priority`: if requests conflict, the behavior with the greater priority wins; with "
      "equal priorities, the one that was loaded first. `priority = { 50, head = 60 }`: another one for a part of the "
      "body. `initial`: the first state. `common`: transitions from any state, not taken while their target is "
-     "active.",
+     "active; if the conditions of two of them hold at the same time, the states alternate in each frame.",
      {}},
     {"state(name: string): fun(body: reorient.State): table",
      "state \"watching\" { enter = f, update = f, exit = f, { \"target\", when = f, lasting = 0.5 } }",
@@ -195,8 +195,9 @@ constexpr ScriptWord kTest[] = {
      {}},
     {"expect.started(action: reorient.ApplicationAction, arguments?: table)",
      "expect.started(\"kick\", { foot = \"left\" })",
-     "A behavior started the action during the last `advance`, with these arguments if they are given; arguments that "
-     "are left out have their defaults.",
+     "A behavior started the action during the last `advance`, with these arguments if they are given, numbers to "
+     "1e-6; "
+     "arguments that are left out have their defaults.",
      {}},
     {"expect.not_started(action: reorient.ApplicationAction)",
      "expect.not_started \"kick\"",

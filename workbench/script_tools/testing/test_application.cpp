@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The application of a test: the values that it sets, and the actions that behaviors request of it.
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,6 +46,17 @@ void TestBench::report_action(std::string_view name, std::string_view state, std
     throw std::runtime_error("report_action: expected at most " + std::to_string(kMostReports) + " reports in a frame");
 }
 
+namespace {
+
+/// Numbers that were computed agree to 1e-6.
+bool agree(const FieldData& started, const FieldData& expected) {
+  return started.texts == expected.texts &&
+         std::equal(started.numbers.begin(), started.numbers.end(), expected.numbers.begin(), expected.numbers.end(),
+                    [](double found, double wanted) { return std::abs(found - wanted) <= 1e-6; });
+}
+
+}  // namespace
+
 std::string TestBench::started_text(const StartedAction& started) const {
   return to_text(application_.declared().actions[started.action], started.arguments);
 }
@@ -56,7 +69,7 @@ int TestBench::expect_started(lua_State* L) {
   if (!lua_isnoneornil(L, 2)) arguments = read_record(L, 2, declared.arguments, declared.name);
   std::string all;
   for (const StartedAction& started : started_) {
-    if (started.action == action && (!arguments || started.arguments == *arguments)) return 0;
+    if (started.action == action && (!arguments || agree(started.arguments, *arguments))) return 0;
     all.append(all.empty() ? "" : ", ").append(started_text(started));
   }
   fail("start of " + (arguments ? started_text({0, action, *arguments}) : declared.name),
