@@ -45,7 +45,7 @@ struct RecentFrames::PackedFrame {
   std::uint64_t frame = 0;
   double time = 0.0;
   bool has_state = false;
-  ByteBlocks::Kept kept;                     // all that follows
+  ByteBlocks::Kept kept;                    // all that follows
   std::span<const std::byte> entry, state;  // compressed
   std::array<std::span<const std::byte>, 2> images;
 
@@ -217,7 +217,7 @@ void RecentFrames::pack_items() {
     }
     lock.lock();
     waiting_.pop_front();
-    if (free_.size() < 2) free_.push_back(std::move(item));
+    if (free_.size() < options_.most_waiting) free_.push_back(std::move(item));
     if (frame) {
       keep(std::move(frame));
     } else {

@@ -140,7 +140,7 @@ TEST_F(KeptRun, IgnoresRecordedChangesOfTheTriedParameter) {
 
 TEST_F(KeptRun, ForgetsTheOldestFramesAboveItsLimit) {
   RecentFramesOptions options;
-  options.most_bytes = 1'500'000;
+  options.most_bytes = 1'600'000;
   options.state_every = 1.0;
   run(options);
   const RecentFrames::Counts counts = frames->counts();
