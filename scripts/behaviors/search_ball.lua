@@ -18,7 +18,8 @@ local p = param {
 local CAMERA_HEIGHT = 0.5   -- m, above the ground; exact enough to look at a ball
 local NEAR = 0.1            -- rad
 
-local memory = keep { side = 1 }
+-- `side`: to which the head turns now. `seen_side`: where the ball was seen last, because it is probably still there.
+local memory = keep { side = 1, seen_side = 1 }
 
 local function sees_ball() return input.valid.ball.seen and input.ball.seen end
 
@@ -27,6 +28,10 @@ local function has_lost_ball() return not sees_ball() end
 local function follow()
   if not input.valid.ball.position then return end
   local ball = input.ball.position
+  if sees_ball() then
+    memory.seen_side = ball.y >= 0 and 1 or -1
+    memory.side = memory.seen_side
+  end
   local reach = robot.head_reach
   local yaw = math.max(-reach, math.min(reach, math.atan(ball.y, ball.x)))
   head.look(yaw, math.atan(CAMERA_HEIGHT, input.ball.distance) - 0.1, 4.0)
@@ -40,7 +45,7 @@ end
 
 local function turn_toward_side()
   scan()
-  walk.velocity(0.0, 0.0, p.turn)
+  walk.velocity(0.0, 0.0, memory.seen_side * p.turn)
 end
 
 behavior "search_ball" {

@@ -30,6 +30,19 @@ test("turns the body if the head did not find the ball, and rests after a rotati
   expect.state("search_ball", "searching/with the head")
 end)
 
+test("begins the search on the side where it saw the ball last", function()
+  begin()
+  show_ball(1.0, -0.5)
+  advance(0.2)
+  set_input { ball = { seen = false } }
+  advance(1.6)
+  expect.state("search_ball", "searching/with the head")
+  expect.head(-1.0, 0.3)
+  advance(4.1)
+  expect.state("search_ball", "searching/with the body")
+  expect.walk(0, 0, -0.6)
+end)
+
 test("turns only the head while the referee does not permit walking", function()
   begin()
   set_world { robot = { may_walk = false } }
