@@ -110,7 +110,9 @@ class RecentFrames::Player : public FrameSource {
 
   bool next(RecordedFrame& frame) override {
     if (at_ >= frames_.size()) return false;
-    const PackedFrame& packed = *frames_[at_++];
+    // Released when it was read, so that a slow replay does not keep more and more frames that the run has forgotten.
+    const std::shared_ptr<const PackedFrame> kept = std::move(frames_[at_++]);
+    const PackedFrame& packed = *kept;
     read_frame_entry(uncompressed(packed.entry), frame.entry);
     for (std::size_t camera = 0; camera < frame.images.size(); ++camera)
       if (!packed.images[camera].empty()) unpack_image(uncompressed(packed.images[camera]), frame.images[camera]);
@@ -123,9 +125,10 @@ class RecentFrames::Player : public FrameSource {
   bool go_to(double time) override {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-      if (frames_[i]->has_state && (!found || frames_[i]->time <= time)) found = i;
+      if (frames_[i] && frames_[i]->has_state && (!found || frames_[i]->time <= time)) found = i;
     }
     if (!found) return false;
+    for (std::size_t i = 0; i < *found; ++i) frames_[i].reset();
     at_ = *found;
     last_.reset();
     return true;
@@ -136,7 +139,7 @@ class RecentFrames::Player : public FrameSource {
   }
 
  private:
-  const std::deque<std::shared_ptr<const PackedFrame>> frames_;
+  std::deque<std::shared_ptr<const PackedFrame>> frames_;  // nullptr: was read or passed
   std::size_t at_ = 0;
   std::optional<std::uint64_t> last_;
 };

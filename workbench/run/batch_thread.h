@@ -10,8 +10,7 @@
 
 namespace reorient {
 
-inline constexpr int kLiveNiceness = 15;   ///< of threads that serve viewers
-inline constexpr int kWhatIfNiceness = 5;  ///< a person waits for the answer
+inline constexpr int kLiveNiceness = 5;  ///< of threads that serve viewers
 
 /// Called in the thread. SCHED_BATCH: its wake-up does not preempt a running frame. `niceness`: more than that of the
 /// frames' thread gives it less of a busy processor.

@@ -52,7 +52,7 @@ void WhatIfs::forget(ViewerId viewer) {
 
 /// Runs in the thread.
 void WhatIfs::answer_all() {
-  become_batch_thread(kWhatIfNiceness);
+  become_batch_thread(kLiveNiceness);
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
