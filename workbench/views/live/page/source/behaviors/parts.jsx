@@ -20,7 +20,7 @@ export function Parts({ parts = [] }) {
   return parts.map(({ part, outranked_by: rival }) => (
     <span
       key={part}
-      class={rival ? "badge lost" : "badge"}
+      class={rival ? "badge part lost" : "badge part"}
       title={rival ? `${nameText(rival)} has the ${part}` : `Has the ${part}`}
     >
       {part}

@@ -64,7 +64,10 @@ function Verdict({ answer }) {
             <b>{decision.text}</b>
           </>
         ) : (
-          <b>No decision differs.</b>
+          <>
+            <b>No decision differs.</b> To try one before {seconds(answer.from)}, click it in the timeline, and press
+            “Again”.
+          </>
         )}
       </div>
       <div class="soft">
@@ -100,7 +103,7 @@ function Events({ answer }) {
 function Answer({ answer }) {
   const height = trialBandsHeight(answer) + PLOT;
   return (
-    <div class="scroll">
+    <div class={trial.isAsking ? "scroll old" : "scroll"}>
       <Verdict answer={answer} />
       <div class="runs soft">
         <i /> happened <i class="tried" /> what if
@@ -160,7 +163,7 @@ function WhatIf() {
       </div>
       {isTrying() && <Tried />}
       {trial.failure && <div class="row tight fault">{trial.failure}</div>}
-      {answer ? <Answer answer={answer} /> : !trial.failure && <Hint />}
+      {!trial.failure && (answer ? <Answer answer={answer} /> : <Hint />)}
     </div>
   );
 }
