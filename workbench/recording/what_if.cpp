@@ -100,7 +100,8 @@ WhatIfAnswer what_if(FrameSource& frames, const WhatIfQuestion& question, const 
     replay.run({&source}, {&taken, &comparison, &both}, stop);
     if (stop && stop()) throw WhatIfStopped("what_if: it was stopped");
   }
-  if (answer.frames.empty()) throw std::runtime_error("what_if: no frame of this time is kept any more (see --live-memory)");
+  if (answer.frames.empty())
+    throw std::runtime_error("what_if: no frame of this time is kept any more (see --live-memory)");
   answer.has_gap = replay.stretches() > 1 || replay.playback().skipped() > 0;
   // The frames before the changes are replayed only to get there.
   for (const ReplayComparison::Event& event : comparison.events()) {
