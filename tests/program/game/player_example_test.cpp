@@ -34,8 +34,9 @@ TEST_F(PlayerExample, HasNoFindingAndPassesItsTests) {
 }
 
 TEST_F(PlayerExample, PlaysAGameAgainstItselfWithoutScriptErrors) {
+  const std::string behaviors = "player,get_up,orientation,background_training";
   const ProgramRun played = run_reorient({"game", "--robots", "1", "--seconds", "40", "--scripts", scripts_.string(),
-                                          "--behaviors", "player,get_up,orientation,background_training"});
+                                          "--behaviors", behaviors, "--behaviors-of-opponents", behaviors});
   EXPECT_EQ(played.code, 0) << played.out << played.err;
   EXPECT_EQ(played.out.find("1 script error"), std::string::npos) << played.out;
   EXPECT_EQ(played.err, "");
