@@ -24,6 +24,7 @@ PartsRequest request(BodyParts parts, NameId machine, double priority) { return 
 std::vector<NameId> rivals(BodyClaims& claims, std::vector<PartsRequest> requests) {
   claims.decide(requests);
   std::vector<NameId> all;
+  all.reserve(requests.size());
   for (const PartsRequest& one : requests) all.push_back(one.outranked_by);
   return all;
 }
