@@ -97,9 +97,8 @@ void ApplicationState::start(std::span<const ActionRequest> requests, double tim
   records_.clear();
   started_.clear();
   for (const ActionRequest& request : requests) {
-    const ActionStatus& status = actions_[request.action];
-    const bool runs = is_under_way(status.state);
-    if (runs && status.arguments == request.arguments) continue;
+    if (continues(request.action, request.arguments)) continue;
+    const bool runs = is_under_way(actions_[request.action].state);
     const auto rival = std::find_if(records_.begin(), records_.end(), [&](const ActionRecord& other) {
       return other.request.action == request.action && other.verdict == Verdict::granted;
     });
@@ -130,9 +129,8 @@ void ApplicationState::note_refusals(std::span<const ActionRequest> requests, do
     const auto winner = std::find_if(records_.begin(), records_.end(), [&](const ActionRecord& other) {
       return other.request.action == record.request.action && other.verdict == Verdict::granted;
     });
-    const NameId by = record.request.outranked_by != kNoName ? record.request.outranked_by
-                      : winner == records_.end()             ? kNoName
-                                                             : winner->request.issuer.machine;
+    NameId by = record.request.outranked_by;
+    if (by == kNoName && winner != records_.end()) by = winner->request.issuer.machine;
     const NameId machine = record.request.issuer.machine;
     // A behavior that requests an action twice has outranked itself.
     if (by != machine && refused(machine, record.request.action) == nullptr)
@@ -148,11 +146,7 @@ const RefusedAction* ApplicationState::refused(NameId machine, std::size_t actio
 }
 
 void ApplicationState::rename(const NameTable& before, const NameTable& now) {
-  for (ActionStatus& status : actions_) {
-    Issuer& issuer = status.issuer;
-    issuer = {renumbered(issuer.machine, before, now), renumbered(issuer.state, before, now),
-              renumbered(issuer.reason, before, now)};
-  }
+  for (ActionStatus& status : actions_) status.issuer = renumbered(status.issuer, before, now);
   for (RefusedAction& one : refused_) {
     one.machine = renumbered(one.machine, before, now);
     one.outranked_by = renumbered(one.outranked_by, before, now);

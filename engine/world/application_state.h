@@ -97,6 +97,11 @@ class ApplicationState {
   std::span<const ValueState> values() const { return values_; }
   std::span<const ActionStatus> actions() const { return actions_; }
 
+  /// Whether such a request continues what the action does now, instead of starting it again.
+  bool continues(std::size_t action, const FieldData& arguments) const {
+    return is_under_way(actions_[action].state) && actions_[action].arguments == arguments;
+  }
+
   /// s since the value was set; infinite if never. `time`: s.
   double age(std::size_t value, double time) const { return time - values_[value].set_at; }
   bool is_valid(std::size_t value, double time) const {

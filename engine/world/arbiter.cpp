@@ -81,12 +81,10 @@ void Arbiter::note_leases(std::span<const Lease> leases) {
 }
 
 void Arbiter::rename(const NameTable& before, const NameTable& now) {
-  const auto renamed = [&](NameId id) { return renumbered(id, before, now); };
-  for (Lease& lease : held_)
-    lease.issuer = {renamed(lease.issuer.machine), renamed(lease.issuer.state), renamed(lease.issuer.reason)};
+  for (Lease& lease : held_) lease.issuer = renumbered(lease.issuer, before, now);
   for (LastVerdict& last : verdicts_) {
-    last.machine = renamed(last.machine);
-    last.outranked_by = renamed(last.outranked_by);
+    last.machine = renumbered(last.machine, before, now);
+    last.outranked_by = renumbered(last.outranked_by, before, now);
   }
   std::erase_if(verdicts_, [](const LastVerdict& last) { return last.machine == kNoName; });  // it exists no more
 }

@@ -30,6 +30,10 @@ template <typename Visit, ConstOr<Issuer> T>
 void fields(Visit&& visit, T& issuer) {
   visit(issuer.machine, issuer.state, issuer.reason);
 }
+inline Issuer renumbered(const Issuer& issuer, const NameTable& before, const NameTable& now) {
+  return {renumbered(issuer.machine, before, now), renumbered(issuer.state, before, now),
+          renumbered(issuer.reason, before, now)};
+}
 
 struct ReorientationRequest {
   Reorientation reorientation = Reorientation::flip_pose;

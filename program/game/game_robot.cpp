@@ -43,13 +43,16 @@ void GameRobot::play(const SharedWorld& world) {
     wanted = wanted | observer_->wanted();
   }
   const FrameRecord& record = engine_->step(inputs_, wanted);
-  scene_.observing = seconds_between(begin, seen);
-  scene_.stepping = seconds_between(seen, Clock::now());
+  const Clock::time_point end = Clock::now();
   simulator_->answer(record.answer);
-  scene_.truth = simulator_->ground_truth();
-  scene_.truth->pose = in_axes_of(team_, scene_.truth->pose);
   inputs_.external = {};
-  if (observer_ != nullptr) observer_->observe(record, scene_);
+  if (observer_ != nullptr) {
+    scene_.observing = seconds_between(begin, seen);
+    scene_.stepping = seconds_between(seen, end);
+    scene_.truth = simulator_->ground_truth();
+    scene_.truth->pose = in_axes_of(team_, scene_.truth->pose);
+    observer_->observe(record, scene_);
+  }
   digest_.add(record);
   if (record.reorientation && record.reorientation->reorientation == Reorientation::flip_pose) ++flips_;
 }

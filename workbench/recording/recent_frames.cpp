@@ -44,11 +44,11 @@ struct RecentFrames::Item {
 struct RecentFrames::PackedFrame {
   std::uint64_t frame = 0;
   double time = 0.0;
-  bool has_state = false;
   ByteBlocks::Kept kept;                    // all that follows
   std::span<const std::byte> entry, state;  // compressed
   std::array<std::span<const std::byte>, 2> images;
 
+  bool has_state() const { return !state.empty(); }
   std::size_t bytes() const { return sizeof(PackedFrame) + kept.bytes.size(); }
 };
 
@@ -59,7 +59,6 @@ class RecentFrames::Packer {
     auto frame = std::make_unique<PackedFrame>();
     frame->frame = item.entry.frame;
     frame->time = item.entry.time;
-    frame->has_state = !item.state.empty();
     packed_.clear();
     plain_.clear();
     write_frame_entry(item.entry, plain_);
@@ -116,7 +115,7 @@ class RecentFrames::Player : public FrameSource {
     read_frame_entry(uncompressed(packed.entry), frame.entry);
     for (std::size_t camera = 0; camera < frame.images.size(); ++camera)
       if (!packed.images[camera].empty()) unpack_image(uncompressed(packed.images[camera]), frame.images[camera]);
-    frame.state = packed.has_state ? uncompressed(packed.state) : std::vector<std::byte>();
+    frame.state = packed.has_state() ? uncompressed(packed.state) : std::vector<std::byte>();
     frame.follows = last_ && *last_ + 1 == packed.frame;
     last_ = packed.frame;
     return true;
@@ -125,7 +124,7 @@ class RecentFrames::Player : public FrameSource {
   bool go_to(double time) override {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-      if (frames_[i] && frames_[i]->has_state && (!found || frames_[i]->time <= time)) found = i;
+      if (frames_[i] && frames_[i]->has_state() && (!found || frames_[i]->time <= time)) found = i;
     }
     if (!found) return false;
     for (std::size_t i = 0; i < *found; ++i) frames_[i].reset();
@@ -243,7 +242,7 @@ void RecentFrames::keep(std::shared_ptr<const PackedFrame> frame) {
   };
   while (counts_.bytes > options_.most_bytes && !kept_.empty()) {
     forget_first();
-    while (!kept_.empty() && !kept_.front()->has_state) forget_first();
+    while (!kept_.empty() && !kept_.front()->has_state()) forget_first();
   }
   counts_.frames = kept_.size();
   if (kept_.empty()) return;

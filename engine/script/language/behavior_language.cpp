@@ -136,8 +136,12 @@ Reorientation reorientation_named(std::string_view name) {
 
 }  // namespace
 
+void BehaviorActions::require_running(const char* table) const {
+  if (is_loading()) throw std::runtime_error(std::string(table) + ": no behavior runs while a script is loaded");
+}
+
 const LastVerdict* BehaviorActions::last_verdict(Reorientation reorientation) const {
-  if (is_loading()) throw std::runtime_error("command: no behavior runs while a script is loaded");
+  require_running("command");
   return arbiter_ == nullptr ? nullptr : arbiter_->last_verdict(machine().definition().name_id, reorientation);
 }
 
@@ -185,9 +189,7 @@ std::int64_t BehaviorActions::command_refusals(std::string_view command) {
 void BehaviorActions::request(std::uint16_t action, FieldData arguments) {
   require_acting();
   count_action();
-  const ActionStatus& status = application_.actions()[action];
-  const bool continues = is_under_way(status.state) && status.arguments == arguments;
-  if (!continues) request_parts(action_parts_[action], output_.actions.size());
+  if (!application_.continues(action, arguments)) request_parts(action_parts_[action], output_.actions.size());
   output_.actions.push_back(
       {action, std::move(arguments), issuer(), machine().definition().priorities.of(action_parts_[action])});
 }
@@ -249,13 +251,13 @@ void BehaviorActions::claim(std::string_view part) {
 
 std::string_view BehaviorActions::holder(std::string_view part) {
   const BodyPart known = part_named(part);
-  if (is_loading()) throw std::runtime_error("body: no behavior runs while a script is loaded");
+  require_running("body");
   return name_of(claims_->holder(known));
 }
 
 std::string_view BehaviorActions::rival(std::string_view part) {
   const BodyPart known = part_named(part);
-  if (is_loading()) throw std::runtime_error("body: no behavior runs while a script is loaded");
+  require_running("body");
   return name_of(claims_->rival(known, machine().definition().name_id));
 }
 

@@ -84,6 +84,8 @@ class BehaviorActions : public ScriptActions {
  private:
   void reorient_by(Reorientation reorientation);
   void pause(Pause pause);
+  /// `table`: of the function that reads what became of a behavior's requests.
+  void require_running(const char* table) const;
   /// The verdict on the latest such command of the running machine; nullptr: none.
   const LastVerdict* last_verdict(Reorientation reorientation) const;
   bool is_pending(Reorientation reorientation) const;

@@ -66,8 +66,7 @@ Json world_json(const FrameRecord& frame) {
 }
 
 /// The parts of the body that the machine requested: nothing, or the machine that has it instead.
-Json parts_json(const FrameRecord& frame, NameId machine) {
-  const std::vector<std::string> names = body_parts(*frame.application.declared);
+Json parts_json(const FrameRecord& frame, NameId machine, const std::vector<std::string>& names) {
   Json parts = Json::array();
   for (const PartClaim& claim : frame.claims) {
     if (claim.issuer.machine == machine && claim.part < names.size())
@@ -77,6 +76,7 @@ Json parts_json(const FrameRecord& frame, NameId machine) {
 }
 
 Json machines_json(const FrameRecord& frame, const ScenarioRecord& scenario) {
+  const std::vector<std::string> parts = body_parts(*frame.application.declared);
   Json machines = Json::array(), published = Json::array();
   const auto add = [&](const std::vector<MachineStatus>& all, const NameTable& names, bool of_scenario) {
     for (const MachineStatus& machine : all) {
@@ -86,7 +86,7 @@ Json machines_json(const FrameRecord& frame, const ScenarioRecord& scenario) {
                           {"stopped", machine.stopped},
                           {"errors", machine.errors},
                           {"scenario", of_scenario},
-                          {"parts", of_scenario ? Json::array() : parts_json(frame, machine.machine)}});
+                          {"parts", of_scenario ? Json::array() : parts_json(frame, machine.machine, parts)}});
     }
   };
   add(frame.machines, *frame.names, false);

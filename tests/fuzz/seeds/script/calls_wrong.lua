@@ -12,7 +12,7 @@ behavior "b" {
   },
   state "b" {
     run "inner" { x = function() while true do end end },
-    update = function() return called.nobody.state end,
+    update = function() return called.absent.state end,
     { "a", when = failed "inner" },
   },
 }
