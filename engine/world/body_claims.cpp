@@ -61,12 +61,12 @@ NameId BodyClaims::rival(BodyPart part, NameId machine) const {
 }
 
 void BodyClaims::rename(const NameTable& before, const NameTable& now) {
-  const auto renamed = [&](NameId id) { return renumbered(id, before, now); };
   for (PartClaim& claim : claims_) {
-    claim.issuer = {renamed(claim.issuer.machine), renamed(claim.issuer.state), renamed(claim.issuer.reason)};
-    claim.outranked_by = renamed(claim.outranked_by);
+    claim.issuer = renumbered(claim.issuer, before, now);
+    if (claim.outranked_by == kNoName) continue;
+    claim.outranked_by = renumbered(claim.outranked_by, before, now);
+    if (claim.outranked_by == kNoName) claim.issuer.machine = kNoName;  // else the refused claim would look granted
   }
-  // Without a name a refused claim would look granted.
   std::erase_if(claims_, [](const PartClaim& claim) { return claim.issuer.machine == kNoName; });
 }
 

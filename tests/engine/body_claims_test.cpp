@@ -66,6 +66,8 @@ TEST(BodyClaims, KeepTheirMachinesWhenNamesAreRenumbered) {
   EXPECT_EQ(now[claims.holder(kHead)], "a");
   EXPECT_EQ(now[claims.rival(kHead, 1)], "a");
   EXPECT_EQ(claims.holder(kLegs), kNoName) << "a behavior that no longer exists holds nothing";
+  claims.rename(now, {{"", "b"}});
+  EXPECT_EQ(claims.holder(kHead), kNoName) << "a refused claim is not granted when its rival no longer exists";
 }
 
 // ---- in the frame
