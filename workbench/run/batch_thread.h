@@ -10,7 +10,7 @@
 
 namespace reorient {
 
-inline constexpr int kLiveNiceness = 5;  ///< of threads that serve viewers
+inline constexpr int kLiveNiceness = 19;  ///< of threads that serve viewers: the least, because a frame never waits
 
 /// Called in the thread. SCHED_BATCH: its wake-up does not preempt a running frame. `niceness`: more than that of the
 /// frames' thread gives it less of a busy processor.
