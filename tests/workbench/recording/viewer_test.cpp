@@ -19,6 +19,7 @@
 #include "engine/script/language/world_fields.h"
 #include "tests/engine/eventful_run.h"
 #include "tests/paths.h"
+#include "tests/workbench/views/unsupported_schema.h"
 #include "workbench/files/input_file.h"
 #include "workbench/views/viewer/base64.h"
 #include "workbench/views/viewer/foxglove.h"
@@ -259,6 +260,11 @@ TEST(ViewerTopics, HaveEachNameOnceAndASchema) {
   }
 }
 
+TEST(ViewerTopics, HaveSchemasThatFoxgloveSupports) {
+  for (const ViewerTopicInfo& row : kViewerTopics)
+    EXPECT_EQ(unsupported(Json::parse(schema_text(row.schema)), std::string(row.name)), "");
+}
+
 TEST(ViewerTopics, DescribeTheValuesOfTheApplication) {
   ApplicationInterface declared;
   DeclaredField number, pose;
@@ -275,6 +281,7 @@ TEST(ViewerTopics, DescribeTheValuesOfTheApplication) {
   EXPECT_EQ(input.at("goal").at("properties").at("rotation").at("type"), "number");
   EXPECT_EQ(input.at("valid").at("properties").at("goal").at("type"), "boolean");
   EXPECT_EQ(tables.at("action").at("properties").at("kick").at("properties").at("state").at("type"), "string");
+  EXPECT_EQ(unsupported(Json::parse(schema_text("reorient.World", declared)), "/world"), "");
   declared.values[0].description = "\xff";
   EXPECT_NO_THROW(Json::parse(schema_text("reorient.World", declared)));
 }

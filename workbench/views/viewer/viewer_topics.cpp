@@ -52,8 +52,12 @@ Json world_schema(const ApplicationInterface& application) {
     const auto found = tables.find(std::string(table.name));
     if (found != tables.end()) (*found)["description"] = table.description;
   }
-  tables["input"] = {{"type", "object"}, {"description", "values of the application; only if it declares some"}};
-  tables["action"] = {{"type", "object"}, {"description", "state of the application's actions"}};
+  // Foxglove and Lichtblick drop a topic if an object of its schema has no properties.
+  const auto table = [](const char* description) {
+    return Json{{"type", "object"}, {"description", description}, {"properties", Json::object()}};
+  };
+  tables["input"] = table("values of the application; only if it declares some");
+  tables["action"] = table("state of the application's actions");
   add_application(application, tables);
   return {{"type", "object"}, {"properties", std::move(tables)}, {"title", "reorient.World"}};
 }

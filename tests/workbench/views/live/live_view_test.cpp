@@ -24,6 +24,7 @@
 #include "tests/temporary_folder.h"
 #include "tests/waiting.h"
 #include "tests/workbench/views/live/test_viewer.h"
+#include "tests/workbench/views/unsupported_schema.h"
 #include "workbench/files/input_file.h"
 #include "workbench/views/live/services.h"
 
@@ -486,6 +487,15 @@ TEST_F(ViewedRun, UndoesChangesOfViewersOneAfterTheOther) {
   const auto found = std::find_if(all.begin(), all.end(), [](const Parameter& one) { return one.name == kParameter; });
   ASSERT_NE(found, all.end());
   EXPECT_EQ(found->origin, ParameterOrigin::default_value) << "an edit of the default would not be hidden";
+}
+
+TEST(LiveServices, HaveSchemasThatFoxgloveSupports) {
+  for (const json& service : json::parse(advertise_live_services())["services"]) {
+    for (const char* part : {"request", "response"}) {
+      const std::string text = service[part]["schema"];
+      EXPECT_EQ(unsupported(json::parse(text), service["name"].get<std::string>() + " " + part), "");
+    }
+  }
 }
 
 TEST_F(ViewedRun, IsNotChangedWithoutTheToken) {
