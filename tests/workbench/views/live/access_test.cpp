@@ -42,6 +42,12 @@ void expect_changes(const RequestHead& request, const AccessRules& by = rules())
   EXPECT_TRUE(access.changes) << access.why_not;
 }
 
+TEST(Access, KnowsItsOwnPage) {
+  EXPECT_TRUE(is_own_page(viewer("", "http://127.0.0.1:8765")));
+  EXPECT_FALSE(is_own_page(viewer("", "https://lab.example")));
+  EXPECT_FALSE(is_own_page(viewer())) << "a program";
+}
+
 TEST(Access, NeedsTheHostOfTheServer) {
   for (const char* host : {"127.0.0.1", "127.0.0.1:8765", "localhost", "LOCALHOST:1", "[::1]", "[::1]:8765"}) {
     RequestHead request = viewer();

@@ -152,7 +152,7 @@ struct TestedReader {
 
 TEST(ViewerMailbox, SendsEveryFrameToAViewerThatDoesNotAnswerPings) {
   ViewerMailbox mailbox;
-  mailbox.measure();
+  mailbox.measure(true);
   for (std::uint64_t i = 0; i < 100; ++i) mailbox.add_frame(i, {frame_message(1, "frame " + std::to_string(i))});
   TestedReader reader{mailbox};
   for (int i = 0; i < 100; ++i) EXPECT_EQ(reader.take(), "frame " + std::to_string(i));
@@ -164,7 +164,7 @@ TEST(ViewerMailbox, SendsEveryFrameToAViewerThatDoesNotAnswerPings) {
 class SlowViewer : public ::testing::Test {
  protected:
   SlowViewer() {
-    mailbox.measure();
+    mailbox.measure(true);
     reader.answers = true;
     mailbox.add_control("begin");
     EXPECT_EQ(reader.take(), "begin");
@@ -232,17 +232,22 @@ TEST_F(SlowViewer, IsClosedWhileAFrameWaits) {
   EXPECT_EQ(reader.pings, pings) << "nothing follows a close frame";
 }
 
+/// The last news of 2 s with 30 frames a second, of which each `sends_each`-th is sent.
+std::string news_of_pass(RateStatus& rate, double begin, int sends_each, int images, bool shows_rates) {
+  std::optional<std::string> news;
+  for (int i = 0; i < 60; ++i) {
+    rate.add_frame(1);
+    if (i % sends_each == 0) rate.send_frame();
+    if (i < images) rate.send_image();
+    if (const auto one = rate.take_news(begin + i / 30.0, shows_rates)) news = one;
+  }
+  return news.value_or("");
+}
+
 TEST(RateStatus, ReportsTheRatesOfASlowConnectionAndItsEnd) {
   RateStatus rate;
   const auto pass = [&](double begin, int sends_each, int images) {
-    std::optional<std::string> news;
-    for (int i = 0; i < 60; ++i) {
-      rate.add_frame(1);
-      if (i % sends_each == 0) rate.send_frame();
-      if (i < images) rate.send_image();
-      if (const auto one = rate.take_news(begin + i / 30.0)) news = one;
-    }
-    return news.value_or("");
+    return news_of_pass(rate, begin, sends_each, images, true);
   };
   EXPECT_EQ(pass(0.0, 1, 60), "");
   EXPECT_EQ(pass(2.0, 1, 60), "") << "a good connection";
@@ -257,6 +262,16 @@ TEST(RateStatus, ReportsTheRatesOfASlowConnectionAndItsEnd) {
   EXPECT_NE(pass(16.0, 1, 60).find("removeStatus"), std::string::npos);
   EXPECT_EQ(pass(18.0, 1, 60), "");
   EXPECT_GT(rate.left_out().frames, 100u);
+}
+
+TEST(RateStatus, HasOneTextForViewersThatListEachText) {
+  RateStatus rate;
+  news_of_pass(rate, 0.0, 1, 60, false);
+  news_of_pass(rate, 2.0, 5, 2, false);
+  const std::string slow = news_of_pass(rate, 4.0, 5, 2, false);
+  EXPECT_NE(slow.find("\"slow connection: some frames or images are left out\""), std::string::npos) << slow;
+  EXPECT_EQ(news_of_pass(rate, 6.0, 2, 30, false), "");
+  EXPECT_EQ(news_of_pass(rate, 8.0, 6, 0, false), "");
 }
 
 TEST(ViewerMailbox, WakesItsReader) {

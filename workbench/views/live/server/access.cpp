@@ -59,7 +59,7 @@ Access decide_viewer(const RequestHead& request, const AccessRules& rules) {
   }
   const std::string_view token = query_field(request.query, "token");
   const bool has_token = is_same_secret(token, rules.token);
-  const bool is_foreign = request.origin && *request.origin != "http://" + request.host;
+  const bool is_foreign = request.origin && !is_own_page(request);
   const auto is_allowed = [&] {
     return std::find(rules.allowed_origins.begin(), rules.allowed_origins.end(), *request.origin) !=
            rules.allowed_origins.end();
@@ -82,6 +82,8 @@ Access decide_viewer(const RequestHead& request, const AccessRules& rules) {
 }
 
 }  // namespace
+
+bool is_own_page(const RequestHead& request) { return request.origin == "http://" + request.host; }
 
 bool is_numeric_address(const std::string& address) {
   std::array<unsigned char, sizeof(in6_addr)> ignored{};

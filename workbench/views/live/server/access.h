@@ -34,6 +34,9 @@ struct Access {
 
 Access decide(const RequestHead& request, const AccessRules& rules);
 
+/// Whether the request is of a page that the same server served.
+bool is_own_page(const RequestHead& request);
+
 /// 128 random bits of the operating system, as 32 hexadecimal digits. Throws std::runtime_error.
 std::string make_token();
 

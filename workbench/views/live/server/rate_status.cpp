@@ -39,7 +39,7 @@ FrameCounts difference(const FrameCounts& later, const FrameCounts& earlier) {
 
 }  // namespace
 
-std::optional<std::string> RateStatus::take_news(double time) {
+std::optional<std::string> RateStatus::take_news(double time, bool shows_rates) {
   if (!begin_) begin_ = time;
   const double seconds = time - *begin_;
   if (seconds < kInterval) return std::nullopt;
@@ -50,7 +50,8 @@ std::optional<std::string> RateStatus::take_news(double time) {
   if (offered.frames == 0) return std::nullopt;  // for example a pause
   if (is_missing(offered.frames, sent.frames) || is_missing(offered.images, sent.images)) {
     good_ = 0;
-    std::string text = slow_text(offered, sent, seconds);
+    std::string text =
+        shows_rates ? slow_text(offered, sent, seconds) : "slow connection: some frames or images are left out";
     if (text == shown_) return std::nullopt;
     shown_ = std::move(text);
     return status(StatusLevel::warning, shown_, kSlowId);

@@ -21,9 +21,10 @@ class RateStatus {
   void send_frame() { ++sent_.frames; }
   void send_image() { ++sent_.images; }
 
-  /// The text of a message to the viewer: a status with numbers of the last seconds, or its removal. Nothing: no news.
-  /// `time`: s.
-  std::optional<std::string> take_news(double time);
+  /// The text of a message to the viewer: a status, or its removal. Nothing: no news. `time`: s. `shows_rates`: the
+  /// status has numbers of the last seconds. Foxglove and Lichtblick list each text as another problem, because they
+  /// ignore the id.
+  std::optional<std::string> take_news(double time, bool shows_rates);
   FrameCounts left_out() const;
 
  private:

@@ -83,8 +83,9 @@ void ViewerMailbox::forget(std::uint32_t subscription) {
   std::erase_if(frame_.messages, [&](const FrameMessage& one) { return one.subscription == subscription; });
 }
 
-void ViewerMailbox::measure() {
+void ViewerMailbox::measure(bool shows_rates) {
   const std::lock_guard lock(mutex_);
+  shows_rates_ = shows_rates;
   begins_to_measure_ = true;
   wake_.notify_one();
 }
@@ -209,7 +210,8 @@ std::optional<Outgoing> ViewerMailbox::take(Clock::time_point now) {
     return message;
   }
   if (closed_) return std::nullopt;
-  if (std::optional<std::string> news = rate_.take_news(seconds_of(now))) return text_message(std::move(*news));
+  if (std::optional<std::string> news = rate_.take_news(seconds_of(now), shows_rates_))
+    return text_message(std::move(*news));
   if (data_.empty()) return std::nullopt;
   if (has_news_of_drops_ && now - last_news_ >= kNewsEvery) {
     has_news_of_drops_ = false;

@@ -80,7 +80,8 @@ class ViewerMailbox {
   /// Waits for the next message: control before data. Nothing: the mailbox is closed and empty.
   std::optional<Outgoing> wait();
   /// Measures the connection from now on, with pings; viewers that do not answer them receive everything.
-  void measure();
+  /// `shows_rates`: the status of a slow connection has numbers.
+  void measure(bool shows_rates);
   void receive_pong(std::span<const std::byte> bytes);
   /// A closed mailbox was not emptied within kPatience: stop sending.
   bool is_given_up() const;
@@ -125,7 +126,7 @@ class ViewerMailbox {
   std::deque<Ping> pings_;                                   // not answered
   Clock::time_point waiting_since_;                          // for the answer to the first byte without one
   double round_trip_ = 0.0;                                  // s, the shortest
-  bool begins_to_measure_ = false, is_measured_ = false;
+  bool begins_to_measure_ = false, is_measured_ = false, shows_rates_ = false;
   LinkState link_;
   RateStatus rate_;
   std::uint64_t dropped_ = 0;

@@ -208,10 +208,11 @@ void WebServer::Parts::serve_viewer(mg_connection* connection) {
     if (stops) mailbox->close(kGoingAway, "the run has ended");
   }
   if (is_one_too_many) mailbox->close(kPolicyViolation, "too many viewers at once; close one of them");
-  mailbox->measure();
+  const RequestHead head = head_of(connection);
+  mailbox->measure(is_own_page(head));
   std::thread sender(send_messages, socket, std::ref(*mailbox));
   {
-    const std::unique_ptr<ViewerSession> session = open(mailbox, decide(head_of(connection), rules));
+    const std::unique_ptr<ViewerSession> session = open(mailbox, decide(head, rules));
     read_messages(socket, *session, *mailbox);
   }
   mailbox->close_now(kNormalClose, "");
