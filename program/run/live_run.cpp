@@ -75,6 +75,19 @@ void LiveRun::save_model(std::vector<std::string>& failures) {
 
 bool is_ended_by_hand(const LiveConsole& console) { return Interruption::signal() != 0 || console.wants_to_quit(); }
 
+std::string user_who_ended_run(bool has_quit) {
+  switch (Interruption::signal()) {
+    case 0:
+      return has_quit ? "its user with quit" : "";
+    case SIGINT:
+      return "its user with Ctrl-C";
+    case SIGTERM:
+      return "the signal SIGTERM";
+    default:
+      return "the signal SIGHUP";
+  }
+}
+
 int exit_code_of_runs(const std::vector<std::string>& failures, bool succeeded) {
   if (!failures.empty()) return kBadInput;
   if (Interruption::signal() != 0) return exit_code_of(Interruption::signal());

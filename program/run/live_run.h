@@ -70,6 +70,9 @@ class LiveRun {
 /// Whether a signal came or the operator typed quit.
 bool is_ended_by_hand(const LiveConsole& console);
 
+/// Who ended the run: "its user with Ctrl-C"; empty: the run ended by itself. `has_quit`: with the command quit.
+std::string user_who_ended_run(bool has_quit);
+
 /// The exit code of the program after its runs.
 int exit_code_of_runs(const std::vector<std::string>& failures, bool succeeded = true);
 

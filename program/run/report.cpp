@@ -65,10 +65,10 @@ std::string bias_in_words(const CameraBias& bias) {
 }  // namespace
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out) {
-  const char* const judgement = circumstances.has_quit ? "not judged"
-                                : !summary.succeeded   ? "wrong"
-                                : summary.error        ? "right"
-                                                       : "not judged";
+  const char* const judgement = circumstances.is_ended_by_user ? "not judged"
+                                : !summary.succeeded           ? "wrong"
+                                : summary.error                ? "right"
+                                                               : "not judged";
   out << fmt::format("\n{}: {}\n", judgement, as_line(summary.verdict));
   if (const std::string periods = wrong_belief_in_words(summary); !periods.empty()) out << "  " << periods << '\n';
   if (summary.error) {
@@ -99,7 +99,7 @@ void write_summary(const RunSummary& summary, const CommandHistory& commands, co
       {"scripts", circumstances.scripts.string()},
       {"assets", circumstances.assets.string()},
       {"correct", summary.error ? nlohmann::json(summary.correct) : nlohmann::json()},
-      {"succeeded", circumstances.has_quit ? nlohmann::json() : nlohmann::json(summary.succeeded)},
+      {"succeeded", circumstances.is_ended_by_user ? nlohmann::json() : nlohmann::json(summary.succeeded)},
       {"verdict", summary.verdict},
       {"belief_wrong_at_seconds", or_null(summary.belief_wrong_at)},
       {"corrected_after_seconds", or_null(summary.corrected_after)},

@@ -26,7 +26,7 @@ struct RunCircumstances {
   TimeQuantiles frame_time_without_rendering;  ///< the part of it that is not the simulator's
   int reloads_accepted = 0;
   int reloads_rejected = 0;
-  bool has_quit = false;  ///< the operator ended the run before its scenario did, so it is not judged
+  bool is_ended_by_user = false;  ///< before its scenario did, so it is not judged
 };
 
 void print_summary(const RunSummary& summary, const RunCircumstances& circumstances, std::ostream& out);

@@ -76,7 +76,8 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   const auto start = std::chrono::steady_clock::now();
   const RunEnd end = live.run(std::move(run.live));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const bool has_quit = end == RunEnd::stopped && console.wants_to_quit() && Interruption::signal() == 0;
+  const std::string user = user_who_ended_run(console.wants_to_quit());
+  const bool is_ended_by_user = end == RunEnd::stopped && !summary.has_verdict() && !user.empty();
   const RunCircumstances circumstances{.scenario = options.scenario,
                                        .room = run.venue,
                                        .seed = options.seed,
@@ -89,10 +90,10 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
                                        .frame_time_without_rendering = frame_times.without_observing(),
                                        .reloads_accepted = live.log().reloads_accepted(),
                                        .reloads_rejected = live.log().reloads_rejected(),
-                                       .has_quit = has_quit};
+                                       .is_ended_by_user = is_ended_by_user};
   RunSummary result = summary.summary(end);
-  if (has_quit) result.verdict = "ended by quit";
-  if (guests.verdict && Interruption::signal() == 0) guests.verdict(result);
+  if (is_ended_by_user) result.verdict = "ended by " + user;
+  if (guests.verdict && !is_ended_by_user) guests.verdict(result);
   std::vector<std::string> failures;
   if (const std::string failure = run.failure ? run.failure() : ""; !failure.empty()) failures.push_back(failure);
   if (!options.json.empty())
@@ -111,10 +112,10 @@ int run_prepared(const RunOptions& options, PreparedRun run, const RunGuests& gu
   if (!options.save_parameters.empty()) out << "parameters: " << as_line(options.save_parameters.string()) << "\n";
   if (live.model() != nullptr)
     out << "model: " << as_line(options.model.string()) << " (" << live.model()->outcome() << ")\n";
-  end_live_view(view.get(), out);
+  end_live_view(view.get(), user, out);
   print_summary(result, circumstances, out);
   for (const std::string& failure : failures) print_error(err, failure);
-  return exit_code_of_runs(failures, result.succeeded || has_quit);
+  return exit_code_of_runs(failures, result.succeeded || is_ended_by_user);
 }
 
 int run_scenario(const RunOptions& options, const RunGuests& guests, std::ostream& out, std::ostream& err) {

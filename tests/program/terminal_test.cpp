@@ -87,7 +87,7 @@ TEST_F(AtATerminal, CtrlDClosesThePromptAndTheRunContinues) {
     EXPECT_TRUE(run->await_as_found(true));
   }
   expect("states\n", "penalty_marks");
-  expect("quit\n", "not judged: ended by quit");
+  expect("quit\n", "not judged: ended by its user with quit");
   expect("", "digest: ");
   EXPECT_EQ(run->wait(), 0) << "a normal end";
 }
@@ -213,7 +213,7 @@ TEST_F(AtATerminal, CtrlCEndsTheRunAndRestoresTheTerminal) {
   EXPECT_TRUE(run->await("set orient"));
   EXPECT_FALSE(run->is_as_found());
   run->type("\x03");
-  EXPECT_TRUE(run->await("wrong: interrupted"));
+  EXPECT_TRUE(run->await("not judged: ended by its user with Ctrl-C"));
   EXPECT_EQ(run->wait(), 130);
   EXPECT_TRUE(run->is_as_found());
 }

@@ -69,6 +69,8 @@ class SummaryObserver : public Observer {
  public:
   void observe(const FrameRecord& frame, const SceneTruth& scene) override;
 
+  /// Whether the scenario has judged the run.
+  bool has_verdict() const { return !summary_.verdict.empty(); }
   /// `end`: how the run ended, if not by the scenario's verdict.
   RunSummary summary(RunEnd end = RunEnd::time_up) const;
 

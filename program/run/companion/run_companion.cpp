@@ -256,7 +256,7 @@ int run_companion(const RunOptions& options, std::ostream& out, std::ostream& er
     live_now = nullptr;
     if (is_over() || !companion.has_other_robot()) break;
   }
-  end_live_view(view.get(), out);
+  end_live_view(view.get(), user_who_ended_run(console.wants_to_quit()), out);
   const Companion::Counts& counts = companion.counts();
   out << fmt::format("{} of {}: {} superseded by newer ones, {} unusable; {} not sent\n",
                      counted(counts.frames, "frame"), counted(counts.clients, "client"), counts.superseded,

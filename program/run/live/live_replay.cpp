@@ -233,7 +233,7 @@ int replay_live(const LiveReplayOptions& options, std::ostream& out, std::ostrea
   print_link(replay.view(), err);
   err << "reorient: the replay stays at its end for viewers; Ctrl-C ends it\n" << std::flush;
   replay.run();
-  end_live_view(&replay.view(), out);
+  end_live_view(&replay.view(), user_who_ended_run(false), out);
   tell_damages(replay.recording(), err);
   return exit_code_of_runs({});
 }

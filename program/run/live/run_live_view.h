@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <string>
 
 #include "program/run/console/live_console.h"
 #include "program/run/live/live_options.h"
@@ -31,7 +32,8 @@ void print_link(const LiveView& live, std::ostream& err);
 /// Its poll_without_frames(), if it is not nullptr.
 void poll_without_robot(LiveView* live);
 
-/// Ends the live view, and prints what it did not show. It may be nullptr.
-void end_live_view(LiveView* live, std::ostream& out);
+/// Ends the live view, and prints what it did not show. It may be nullptr. Viewers learn who ended the run: `user`, as
+/// user_who_ended_run() returns it.
+void end_live_view(LiveView* live, const std::string& user, std::ostream& out);
 
 }  // namespace reorient

@@ -145,7 +145,7 @@ int run_nao(const RunOptions& options, std::ostream& out, std::ostream& err) {
             .recording = std::move(recording_options),
             .live = view.get()});
   live.end_recording();
-  end_live_view(view.get(), out);
+  end_live_view(view.get(), user_who_ended_run(console.wants_to_quit()), out);
   std::vector<std::string> failures;
   live.save_model(failures);
   for (const std::string& failure : failures) print_error(err, failure);

@@ -66,7 +66,11 @@ class LiveView : public InputSource, public Observer {
   /// Lasting messages are sent again with the next frame, because the time has changed.
   void begin_again() { begins_ = true; }
 
-  /// Ends all connections and threads, within a second.
+  /// Ends all connections and threads, within a second. Viewers receive the reason, of at most 123 bytes.
+  void stop(const std::string& reason) {
+    server_->stop(reason);
+    stop();
+  }
   void stop();
 
   struct Counts {
