@@ -244,7 +244,7 @@ std::string news_of_pass(RateStatus& rate, double begin, int sends_each, int ima
   return news.value_or("");
 }
 
-TEST(RateStatus, ReportsTheRatesOfASlowConnectionAndItsEnd) {
+TEST(RateStatus, ReportsTheRatesOfASlowViewerAndItsEnd) {
   RateStatus rate;
   const auto pass = [&](double begin, int sends_each, int images) {
     return news_of_pass(rate, begin, sends_each, images, true);
@@ -253,7 +253,8 @@ TEST(RateStatus, ReportsTheRatesOfASlowConnectionAndItsEnd) {
   EXPECT_EQ(pass(2.0, 1, 60), "") << "a good connection";
   pass(4.0, 5, 2);
   const std::string slow = pass(6.0, 5, 2);
-  EXPECT_NE(slow.find("slow connection: 6 of 30 frames a second, 1 image a second"), std::string::npos) << slow;
+  EXPECT_NE(slow.find("slow connection or busy viewer: 6 of 30 frames a second, 1 image a second"), std::string::npos)
+      << slow;
   EXPECT_NE(slow.find(R"("id":"slow")"), std::string::npos) << slow;
   pass(8.0, 5, 0);
   EXPECT_NE(pass(10.0, 4, 0).find("no images"), std::string::npos);
@@ -269,9 +270,23 @@ TEST(RateStatus, HasOneTextForViewersThatListEachText) {
   news_of_pass(rate, 0.0, 1, 60, false);
   news_of_pass(rate, 2.0, 5, 2, false);
   const std::string slow = news_of_pass(rate, 4.0, 5, 2, false);
-  EXPECT_NE(slow.find("\"slow connection: some frames or images are left out\""), std::string::npos) << slow;
+  EXPECT_NE(slow.find("\"slow connection or busy computer: some frames or images are left out\""), std::string::npos) << slow;
   EXPECT_EQ(news_of_pass(rate, 6.0, 2, 30, false), "");
   EXPECT_EQ(news_of_pass(rate, 8.0, 6, 0, false), "");
+}
+
+TEST(RateStatus, NamesABusyComputerIfTheSenderWaitsMuchLongerThanPlanned) {
+  const auto text = [](double planned, double taken) {
+    RateStatus rate;
+    rate.take_news(0.0, true);
+    for (int i = 0; i < 60; ++i) {
+      rate.add_frame(0);
+      rate.add_wait(planned, taken);
+    }
+    return rate.take_news(2.0, true).value_or("");
+  };
+  EXPECT_NE(text(0.01, 0.0101).find("slow connection or busy viewer: 0 of 30"), std::string::npos);
+  EXPECT_NE(text(0.01, 0.03).find("busy computer: 0 of 30"), std::string::npos);
 }
 
 TEST(ViewerMailbox, WakesItsReader) {

@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kInterval = 2.0;     // s
 constexpr double kMostMissing = 0.1;  // of the frames or images without a status
-constexpr int kGoodIntervals = 2;     // after which the connection is good again
+constexpr int kGoodIntervals = 2;     // after which nothing is left out any more
+constexpr double kMostLate = 0.15;    // times the planned waits, on a computer that is not busy
+constexpr const char* kAnyCause = "slow connection or busy computer: some frames or images are left out";
 
 bool is_missing(std::uint64_t offered, std::uint64_t sent) {
   return static_cast<double>(sent) < (1.0 - kMostMissing) * static_cast<double>(offered);
@@ -24,8 +26,8 @@ std::string rate_text(std::uint64_t count, double seconds) {
   return std::to_string(whole) + (rest > 0 ? "." + std::to_string(rest) : "");
 }
 
-std::string slow_text(const FrameCounts& offered, const FrameCounts& sent, double seconds) {
-  std::string text = "slow connection: " + rate_text(sent.frames, seconds) + " of " +
+std::string slow_text(const char* cause, const FrameCounts& offered, const FrameCounts& sent, double seconds) {
+  std::string text = std::string(cause) + ": " + rate_text(sent.frames, seconds) + " of " +
                      rate_text(offered.frames, seconds) + " frames a second";
   if (offered.images == 0) return text;
   if (sent.images == 0) return text + ", no images";
@@ -44,14 +46,15 @@ std::optional<std::string> RateStatus::take_news(double time, bool shows_rates) 
   const double seconds = time - *begin_;
   if (seconds < kInterval) return std::nullopt;
   const FrameCounts offered = difference(offered_, offered_before_), sent = difference(sent_, sent_before_);
+  const char* const cause = late_ > kMostLate * planned_ ? kBusyComputer : kSlowViewer;
   begin_ = time;
+  planned_ = late_ = 0.0;
   offered_before_ = offered_;
   sent_before_ = sent_;
   if (offered.frames == 0) return std::nullopt;  // for example a pause
   if (is_missing(offered.frames, sent.frames) || is_missing(offered.images, sent.images)) {
     good_ = 0;
-    std::string text =
-        shows_rates ? slow_text(offered, sent, seconds) : "slow connection: some frames or images are left out";
+    std::string text = shows_rates ? slow_text(cause, offered, sent, seconds) : kAnyCause;
     if (text == shown_) return std::nullopt;
     shown_ = std::move(text);
     return status(StatusLevel::warning, shown_, kSlowId);

@@ -15,9 +15,8 @@ Outgoing text_message(std::string text) {
   return {WebSocketType::text, {}, std::make_shared<const std::string>(std::move(text))};
 }
 
-double seconds_of(ViewerMailbox::Clock::time_point time) {
-  return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
+double seconds_of(ViewerMailbox::Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+double seconds_of(ViewerMailbox::Clock::time_point time) { return seconds_of(time.time_since_epoch()); }
 
 }  // namespace
 
@@ -239,7 +238,8 @@ std::optional<Outgoing> ViewerMailbox::wait() {
     if (frame_.messages.empty()) {
       wake_.wait(lock);
     } else {
-      wake_.wait_for(lock, again);
+      const bool is_timeout = wake_.wait_for(lock, again) == std::cv_status::timeout;
+      if (is_timeout) rate_.add_wait(seconds_of(again), seconds_of(Clock::now() - now));
     }
   }
 }
