@@ -4,6 +4,7 @@
 import { ConnectionState, Thought } from "./app.jsx";
 import { Canvas } from "./draw/canvas.jsx";
 import { palette } from "./draw/palette.js";
+import { POSE_MARKS, PoseMark } from "./draw/pose_marks.jsx";
 import { drawField } from "./panels/field.jsx";
 import { EvidenceBar } from "./panels/wall.jsx";
 import { store } from "./robot.js";
@@ -29,23 +30,35 @@ function pageAddress() {
   return search.includes("token=") ? pathname.replace(/audience$/, "") + search : null;
 }
 
+const POSES = [
+  ["belief", "where the robot thinks it is"],
+  ["mirrored", "the same place at the other side"],
+  ["truth", "where it really is"],
+];
+
 function Legend() {
   useChanges(1000);
-  const entries = [
-    ["where the robot thinks it is, and tiles of the wall that fit", palette.belief],
-    ["the mirrored place, and tiles that fit it (striped)", palette.opposite],
-  ];
-  if (store.shown()?.truth) entries.push(["where it really is", palette.truth]);
-  entries.push(["which part of the wall it recognizes", palette.view]);
+  const hasTruth = store.shown()?.truth;
   return (
-    <p class="legend">
-      {entries.map(([name, color]) => (
-        <span key={name}>
-          <i class="dot" style={{ background: color }} />
-          {name}
+    <div class="legend">
+      {POSES.filter(([kind]) => kind !== "truth" || hasTruth).map(([kind, text]) => (
+        <span key={kind}>
+          <PoseMark kind={kind} />
+          <span>
+            <b>{POSE_MARKS[kind].label}</b>: {text}
+          </span>
         </span>
       ))}
-    </p>
+      <span>
+        <i class="tile" style={{ color: palette.belief }} />
+        <i class="tile striped" style={{ color: palette.opposite }} />
+        tiles of the wall that fit these poses
+      </span>
+      <span>
+        <i class="bars" style={{ color: palette.view }} />
+        the part of the wall that it recognizes
+      </span>
+    </div>
   );
 }
 

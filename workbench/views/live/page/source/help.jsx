@@ -2,6 +2,7 @@
 // The list of keys.
 import { useEffect, useRef } from "preact/hooks";
 
+import { PoseMark } from "./draw/pose_marks.jsx";
 import { KEYS } from "./keys.js";
 
 export function Help({ onClose }) {
@@ -21,8 +22,8 @@ export function Help({ onClose }) {
         ])}
       </dl>
       <p class="soft">
-        Blue is the believed pose, red the mirrored pose, amber the true pose if it is known, magenta the belief of the
-        view.
+        <PoseMark kind="belief" /> blue is the believed pose, <PoseMark kind="mirrored" /> red the mirrored pose,{" "}
+        <PoseMark kind="truth" /> amber the true pose if it is known, magenta the belief of the view.
       </p>
       <button class="button" onClick={onClose}>
         Close

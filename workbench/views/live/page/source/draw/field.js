@@ -60,37 +60,6 @@ export function fieldPlan(field, wall, width, height) {
   return { at, meters, scale, turn, labels };
 }
 
-/// A robot: a disk with its heading. `hollow`: only its outline.
-export function drawRobot(context, { x, y, rotation }, color, radius, plan, hollow = false) {
-  const [u, v] = plan.at(x, y);
-  context.save();
-  context.translate(u, v);
-  context.rotate(-(rotation + plan.turn));
-  context.beginPath();
-  context.arc(0, 0, radius, 0.75, 2 * Math.PI - 0.75);
-  context.lineTo(radius * 2.1, 0);
-  context.closePath();
-  context.lineJoin = "round";
-  context.lineWidth = 4;
-  context.strokeStyle = "#fff";
-  context.stroke();
-  if (hollow) {
-    context.fillStyle = "rgba(255, 255, 255, 0.75)";
-    context.fill();
-    context.lineWidth = 2.5;
-    context.strokeStyle = color;
-    context.stroke();
-  } else {
-    context.fillStyle = color;
-    context.fill();
-    context.beginPath();
-    context.arc(0, 0, radius * 0.36, 0, 2 * Math.PI);
-    context.fillStyle = "#fff";
-    context.fill();
-  }
-  context.restore();
-}
-
 /// The part of the field that the upper camera sees, from its calibration.
 export function drawCone(context, { pose, headYaw }, calibration, plan) {
   const isPinhole = calibration && calibration.distortion_model !== "equidistant" && calibration.K[0] > 0;

@@ -2,6 +2,7 @@
 // Carries the true robot over the field with the pointer: it is lifted when the drag begins, and placed at its end.
 import { mirrored } from "../draw/field.js";
 import { palette } from "../draw/palette.js";
+import { drawPoseMark } from "../draw/pose_marks.jsx";
 import { degrees, meters, wrapped } from "../format.js";
 import { act, canCarry, isRunPaused, place, placedPose, run } from "../operator.js";
 import { store } from "../robot.js";
@@ -150,11 +151,12 @@ export class Carry {
   }
 
   /// Draws the robot in the hand, and the ring of the mirrored pose; or where the next frame shows the placed robot.
-  draw(context, drawRobot) {
+  /// `size`: of the marks.
+  draw(context, size) {
     const { at, scale } = this.plan.current;
     if (!this.drag?.lifted) {
       const placed = placedPose();
-      if (placed) drawRobot(context, placed, palette.truth, 12, this.plan.current, true);
+      if (placed) drawPoseMark(context, "truth", placed, this.plan.current, size, true);
       return;
     }
     const target = this.target();
@@ -168,9 +170,7 @@ export class Carry {
     context.strokeStyle = palette.truth;
     context.stroke();
     context.restore();
-    context.globalAlpha = 0.75;
-    drawRobot(context, target, palette.truth, 12, this.plan.current, true);
-    context.globalAlpha = 1;
+    drawPoseMark(context, "truth", target, this.plan.current, size, true);
   }
 
   /// The lines of a note about the drag, or why the run refused it, or where a paused run places the robot; empty

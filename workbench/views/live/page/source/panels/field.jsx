@@ -3,8 +3,9 @@
 import { useRef } from "preact/hooks";
 
 import { Canvas } from "../draw/canvas.jsx";
-import { drawCone, drawParticles, drawPath, drawPercepts, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
+import { drawCone, drawParticles, drawPath, drawPercepts, fieldPlan, mirrored } from "../draw/field.js";
 import { palette } from "../draw/palette.js";
+import { POSE_MARKS, PoseMark, drawPoses, markSize } from "../draw/pose_marks.jsx";
 import { drawScene, sceneOf } from "../draw/scene.js";
 import { drawRing } from "../draw/wall.js";
 import { degrees, meters } from "../format.js";
@@ -15,14 +16,18 @@ import { changedByUser, useChanges } from "../ticker.js";
 import { Carry } from "./carry.js";
 
 const HINTS = {
+  belief: "The believed pose: where the robot thinks it is.",
+  cone: "The part of the field that the upper camera sees from the believed pose.",
+  mirrored: "The mirrored pose: the believed pose rotated by 180 degrees about the center of the field.",
+  truth: "The true pose: where the robot really is. The robot does not know it.",
   percepts: "Solid: matches the field at the believed pose. Hollow: rejected by the pose filter. Pale: not used by it.",
   ring: "Frames of the tiles: blue matches the believed pose, striped red the mirrored pose.",
 };
 const LAYERS = [
-  ["belief", "belief", palette.belief],
+  ["belief", POSE_MARKS.belief.label],
   ["cone", "view", "#7fa3ec"],
-  ["mirrored", "mirrored", palette.opposite],
-  ["truth", "truth", palette.truth],
+  ["mirrored", POSE_MARKS.mirrored.label],
+  ["truth", POSE_MARKS.truth.label],
   ["particles", "particles", "#5b626b"],
   ["percepts", "detections", "#00c2e8"],
   ["path", "path", "#86b3ff"],
@@ -45,9 +50,12 @@ export function drawField(context, width, height, layers) {
   if (layers.cone) drawCone(context, frame, store.lasting.get("/camera/upper/calibration"), plan);
   const percepts = layers.percepts && store.read("/percepts", 0.5);
   if (percepts) drawPercepts(context, sceneOf(percepts.value), frame.pose, plan);
-  if (layers.truth && frame.truth) drawRobot(context, frame.truth, palette.truth, 12, plan);
-  if (layers.mirrored) drawRobot(context, mirrored(frame.pose), palette.opposite, 7, plan, true);
-  if (layers.belief) drawRobot(context, frame.pose, palette.belief, 8, plan);
+  const poses = {
+    belief: layers.belief && frame.pose,
+    mirrored: layers.mirrored && mirrored(frame.pose),
+    truth: layers.truth && frame.truth,
+  };
+  drawPoses(context, poses, plan, width, height);
   return plan;
 }
 
@@ -104,7 +112,7 @@ function Field() {
   carry.current ??= new Carry(plan);
   const draw = (context, width, height) => {
     plan.current = drawField(context, width, height, settings.layers);
-    carry.current.draw(context, drawRobot);
+    carry.current.draw(context, markSize(width, height));
     if (!picked.current) return;
     const [u, v] = plan.current.at(picked.current.x, picked.current.y);
     context.strokeStyle = "#fff";
@@ -146,7 +154,7 @@ function Layers() {
           title={HINTS[id]}
           onClick={() => set({ layers: { ...settings.layers, [id]: !settings.layers[id] } })}
         >
-          <i class="dot" style={{ background: color }} />
+          {color ? <i class="dot" style={{ background: color }} /> : <PoseMark kind={id} />}
           {name}
         </button>
       ))}

@@ -5,8 +5,9 @@ import { useRef } from "preact/hooks";
 
 import { Canvas } from "../draw/canvas.jsx";
 import { markText, positionOf } from "../draw/evidence_scale.js";
-import { drawNote, drawRobot, fieldPlan, mirrored } from "../draw/field.js";
+import { drawNote, fieldPlan, mirrored } from "../draw/field.js";
 import { palette, themeColor } from "../draw/palette.js";
+import { POSE_MARKS, drawPoseMark } from "../draw/pose_marks.jsx";
 import { sceneOf } from "../draw/scene.js";
 import { drawEvidence, evidenceColor, factsOf, tileAt } from "../draw/tiles.js";
 import { drawRing, sightOnWall, tileOfRing, wallOf } from "../draw/wall.js";
@@ -122,20 +123,20 @@ function drawWallRing(context, scene, evidence, frame, width, height) {
   const tileOf = (u, v) => tileOfRing(scene, plan, evidence, u, v);
   if (!frame?.pose) return tileOf;
   const { radius } = wallOf(scene);
-  for (const [pose, color] of [
-    [mirrored(frame.pose), palette.opposite],
-    [frame.pose, palette.belief],
+  for (const [kind, pose] of [
+    ["mirrored", mirrored(frame.pose)],
+    ["belief", frame.pose],
   ]) {
     const azimuth = sightOnWall(pose, frame.headYaw, radius);
     context.setLineDash([4, 4]);
-    context.strokeStyle = color;
+    context.strokeStyle = POSE_MARKS[kind].color;
     context.lineWidth = 1.5;
     context.beginPath();
     context.moveTo(...plan.at(pose.x, pose.y));
     context.lineTo(...plan.at(radius * Math.cos(azimuth), radius * Math.sin(azimuth)));
     context.stroke();
     context.setLineDash([]);
-    drawRobot(context, pose, color, 5, plan, color === palette.opposite);
+    drawPoseMark(context, kind, pose, plan, 0.65);
   }
   return tileOf;
 }
