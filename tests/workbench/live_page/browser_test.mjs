@@ -583,3 +583,20 @@ test("a phone shows every area without a horizontal scroll bar", async () => {
   assert.equal(await phone.evaluate(() => document.documentElement.scrollWidth), 390);
   await phone.close();
 });
+
+test("on a phone the badges of body parts, the state and its time stay in the row of their behavior", async () => {
+  const phone = await open({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  const parts = ["head", "legs", "arms"].map((part) => ({ part, outranked_by: "approach_ball" }));
+  const state = "returning to the own goal/walking";
+  const machine = { name: "goalkeeper", state, seconds: 1, stopped: false, errors: 0, parts };
+  const timer = setInterval(() => robot.broadcast("/machines", { machines: [machine], published: [] }), 20);
+  const boxes = await phone.waitForFunction(() => {
+    const row = document.querySelector(".machine:has(.part.lost) .row");
+    return row && [...row.children].map((it) => it.getBoundingClientRect()).map(({ top, right, width }) => [top, right, width]);
+  });
+  clearInterval(timer);
+  const found = await boxes.jsonValue();
+  assert.equal(found.length, 4, "name, state, parts and time");
+  assert.ok(found.every(([top, right, width]) => Math.abs(top - found[0][0]) < 8 && right <= 384 && width > 20), `${found}`);
+  await phone.close();
+});

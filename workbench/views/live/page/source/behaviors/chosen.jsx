@@ -79,7 +79,9 @@ function Head({ machine }) {
         {nameText(machine.name)}
       </h2>
       {machine.scenario && <ScenarioMark />}
-      <span class="state grow">{stateText(machine)}</span>
+      <span class="state" title={stateText(machine)}>
+        {stateText(machine)}
+      </span>
       <Parts parts={machine.parts} />
       <span class="value">{duration(machine.seconds)}</span>
       <button

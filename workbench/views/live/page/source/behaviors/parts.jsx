@@ -17,15 +17,20 @@ export const ScenarioMark = () => (
 
 /// The parts of the body that the machine requests; struck through if another machine has it.
 export function Parts({ parts = [] }) {
-  return parts.map(({ part, outranked_by: rival }) => (
-    <span
-      key={part}
-      class={rival ? "badge part lost" : "badge part"}
-      title={rival ? `${nameText(rival)} has the ${part}` : `Has the ${part}`}
-    >
-      {part}
+  if (!parts.length) return null;
+  return (
+    <span class="parts">
+      {parts.map(({ part, outranked_by: rival }) => (
+        <span
+          key={part}
+          class={rival ? "badge part lost" : "badge part"}
+          title={rival ? `${nameText(rival)} has the ${part}` : `Has the ${part}`}
+        >
+          {part}
+        </span>
+      ))}
     </span>
-  ));
+  );
 }
 
 /// A place in a script. It opens the script there if the robot shows its scripts.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The behaviors that run now, and the scenario: state, time in it, the reason of the last change, cost, and faults with file and line. A
-// click on a name shows one of them.
+// The behaviors that run now, and the scenario: state, time in it, the parts of the body that they request, the reason
+// of the last change, cost, and faults with file and line. A click on a name shows one of them.
 import "../behaviors/behaviors.css";
 import { choice, choose, useFocus } from "../behaviors/choice.js";
 import { Chosen } from "../behaviors/chosen.jsx";
@@ -32,7 +32,9 @@ function Machine({ machine, cost, until }) {
           {nameText(machine.name)}
         </button>
         {machine.scenario && <ScenarioMark />}
-        <span class="state">{stateText(machine)}</span>
+        <span class="state" title={stateText(machine)}>
+          {stateText(machine)}
+        </span>
         <Parts parts={machine.parts} />
         <span class="value">{duration(machine.seconds)}</span>
       </div>
