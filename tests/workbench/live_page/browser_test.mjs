@@ -186,6 +186,25 @@ test("a slider sends setParameters, and undo sets the value before", async () =>
   await until(() => document.querySelector('input[aria-label="orientation.hold_time"]').value === "0.2");
 });
 
+test("a list that is empty says why, with a way back to all parameters", async () => {
+  const panel = page.locator("[data-panel=parameters]");
+  await panel.locator("input[type=search]").fill("orientation.hold_time");
+  await panel.getByRole("button", { name: /^changed/ }).click();
+  await panel.getByText("No parameter differs from its default.").waitFor();
+  await panel.getByRole("button", { name: "Show all parameters" }).click();
+  await panel.locator(".parameter").nth(4).waitFor();
+  assert.equal(await panel.locator("input[type=search]").inputValue(), "");
+  await panel.locator("input[type=search]").fill("no such parameter");
+  await panel.getByText(/^None of the \d+ parameters contains “no such parameter”/).waitFor();
+  await panel.locator("input[type=search]").fill("orientation.hold_time");
+});
+
+test("a robot that cannot replay its frames says so at the button of the what-if", async () => {
+  const button = page.locator("[data-panel=parameters]").getByRole("button", { name: "What if…" });
+  assert.ok(await button.isDisabled());
+  assert.match(await button.getAttribute("title"), /keeps no frames/);
+});
+
 test("a value that the robot refuses returns to the one in force, with a text", async () => {
   const box = page.locator('input[aria-label="orientation.hold_time"]');
   await box.fill("99");

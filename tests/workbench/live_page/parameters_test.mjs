@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { filtersOf, listed, whyEmpty } from "../../../workbench/views/live/page/source/parameter_list.js";
 import { Parameters } from "../../../workbench/views/live/page/source/parameters.js";
 import { thought } from "../../../workbench/views/live/page/source/sentence.js";
 import { Store } from "../../../workbench/views/live/page/source/store.js";
@@ -164,4 +165,31 @@ test("values are compared with those of a file, whose other values are the defau
   parameters.change("a.number", 0.25, "1");
   assert.deepEqual(parameters.differing("file").map((it) => it.name), ["a.number", "a.choice"]);
   assert.equal(parameters.inFile(parameters.all.get("a.number")), 0.5);
+});
+
+test("a search finds names first, then descriptions, and all its words", () => {
+  const parameters = new Parameters();
+  parameters.take([
+    { name: "a.other", value: 1, default: 1, description: "the hold of the arm" },
+    { name: "z.hold", value: 1, default: 2, description: "" },
+    { name: "b.none", value: 1, default: 1 },
+  ]);
+  assert.deepEqual(listed(parameters, "all", " Hold ").map((it) => it.name), ["z.hold", "a.other"]);
+  assert.deepEqual(listed(parameters, "all", "hold arm").map((it) => it.name), ["a.other"]);
+  assert.deepEqual(listed(parameters, "default", "").map((it) => it.name), ["z.hold"]);
+  assert.deepEqual(filtersOf(parameters).map(({ id, count }) => [id, count]), [["all", 3], ["default", 1], ["start", 0]]);
+});
+
+test("an empty list says why: nothing received, nothing differs, or nothing is found", () => {
+  const parameters = new Parameters();
+  assert.match(whyEmpty(parameters, "all", "x"), /has not sent its parameters/);
+  parameters.take([HOLD]);
+  assert.equal(whyEmpty(parameters, "all", " x "), "None of the 1 parameters contains “x”.");
+  assert.match(whyEmpty(parameters, "default", "hold"), /^No parameter differs from its default/);
+  assert.match(whyEmpty(parameters, "start", ""), /^No parameter differs from its value at the start/);
+  parameters.takeFile({ file: "tuned.toml", parameters: [{ name: HOLD.name, value: "0.2" }] });
+  assert.deepEqual(listed(parameters, "file", ""), []);
+  assert.match(whyEmpty(parameters, "file", "hold"), /^No parameter differs from tuned\.toml/);
+  parameters.change(HOLD.name, 1, "set-1");
+  assert.match(whyEmpty(parameters, "file", "x"), /another value than in tuned\.toml \(1\) contains “x”/);
 });

@@ -66,12 +66,15 @@ test("what differs from the defaults is saved, with a copy of the file before, a
   await slider.press("Home");
   await panel.getByRole("button", { name: "Compare" }).click();
   await panel.getByText("in tuned.toml 10").waitFor();
+  await panel.getByRole("button", { name: "Undo" }).click();
+  await panel.getByText("No parameter differs from tuned.toml").waitFor();
+  await panel.getByRole("button", { name: "Show all parameters" }).click();
+  await panel.locator("input[type=search]").fill("orientation.hold_time");
   await slider.focus();
-  await slider.press("PageUp");
+  await slider.press("PageDown");
   await save.click();
   await panel.getByText("The file before is tuned.toml.bak.").waitFor();
   assert.match(readFileSync(join(folder, "tuned.toml.bak"), "utf8"), /hold_time = 10/);
-  await panel.getByRole("button", { name: "all" }).click();
   await panel.getByText("Save or compare with a file").click();
 });
 
@@ -79,18 +82,21 @@ test("a what-if on a slider shows both futures, and the robot keeps its value", 
   const panel = page.locator("[data-panel=parameters]");
   await page.keyboard.press("Escape"); // leaves the box
   await panel.locator("input[type=search]").fill("head_scan.timeout");
-  await panel.getByRole("button", { name: "What if" }).click();
+  await panel.getByRole("button", { name: "What if…" }).click();
+  await panel.getByText("The robot keeps its own.").waitFor();
   const slider = page.locator('input[aria-label="head_scan.timeout as a slider"]');
   await slider.focus();
   await slider.press("Home");
-  await page.getByText("The first decision that differs").waitFor();
+  await panel.getByText("What if: the first decision that differs is at").waitFor();
   const verdict = await page.locator(".verdict").textContent();
   assert.match(verdict, /only the what-if does this: head_scan: /);
   assert.match(verdict, /\d+ frames from .* replayed in/);
   await panel.getByText("what if 0.5; the robot has 4").waitFor();
-  await page.getByRole("button", { name: "Drop all" }).click();
-  await panel.getByRole("button", { name: "What if" }).click();
-  await panel.getByText("default 4").waitFor();
+  await panel.getByRole("button", { name: "End what-if" }).click();
+  await panel.getByText("what if 0.5; the robot has 4").waitFor({ state: "detached" });
+  await page.locator("[data-panel=what_if]").getByRole("button", { name: "Try parameters" }).click();
+  await panel.getByText("The robot keeps its own.").waitFor();
+  await panel.getByRole("button", { name: "End what-if" }).click();
   assert.equal(await page.locator('input[aria-label="head_scan.timeout"]').inputValue(), "4");
 });
 

@@ -31,7 +31,7 @@ const messages = [];
 const page = await openPage(browser, { viewport: LAPTOP, colorScheme: "light" }, link, messages);
 page.setDefaultTimeout(PATIENCE);
 
-// A busy computer looks like a slow connection, which is not the subject of the pictures.
+// Reduced rates on a busy computer are not the subject of the pictures.
 await page.evaluate(() => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(
@@ -104,14 +104,13 @@ async function takeWhatIf() {
   await page.setViewportSize({ width: 1366, height: 940 });
   await key("5");
   await panel("parameters").locator("input[type=search]").fill("orientation.hold_time");
-  await panel("parameters").getByRole("button", { name: "What if" }).click();
+  await panel("parameters").getByRole("button", { name: "What if…" }).click();
   const box = page.locator('input[aria-label="orientation.hold_time"]');
   await box.fill("2");
   await box.press("Enter");
   await page.locator(".verdict").waitFor();
   await take("what-if");
-  await page.getByRole("button", { name: "Drop all" }).click();
-  await panel("parameters").getByRole("button", { name: "What if" }).click();
+  await panel("parameters").getByRole("button", { name: "End what-if" }).click();
   await key("Escape"); // leaves the box
   await page.setViewportSize(LAPTOP);
 }

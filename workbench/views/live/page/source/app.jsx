@@ -5,7 +5,7 @@ import { useEffect, useErrorBoundary, useState } from "preact/hooks";
 import { Audience, isAudience } from "./audience.jsx";
 import { duration, seconds } from "./format.js";
 import { Help } from "./help.jsx";
-import { onKey } from "./keys.js";
+import { enterPanel, onKey } from "./keys.js";
 import { AREAS, contentsOf, hidePanel, movePanel, openPanel, resetLayout } from "./layout.js";
 import { followRun, isRunPaused } from "./operator.js";
 import { Pace } from "./pace.jsx";
@@ -25,7 +25,7 @@ const RETRY = 1000; // ms
 const LONG = 15000; // ms without a connection
 const ENDED = "the run has ended"; // the reason that the robot gives
 
-onTrial(() => openPanel("what_if"));
+onTrial((id, enters) => (enters ? enterPanel : openPanel)(id));
 
 function connectionText() {
   const now = Date.now();

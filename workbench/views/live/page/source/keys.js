@@ -49,7 +49,7 @@ function focusBox(find, attempts = 10) {
 }
 
 /// Opens a panel and gives it the focus, so that the next Tab goes to its first control.
-function enterPanel(id) {
+export function enterPanel(id) {
   openPanel(id);
   const focus = (attempts) => {
     const panel = document.querySelector(`[data-panel=${id}]`);

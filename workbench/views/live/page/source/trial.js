@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A what-if: changes that the robot does not have, and what it would have done with them in the last seconds.
-import { call, canCall, onOtherRun, parameters, setParameter, store } from "./robot.js";
+import { call, canCall, link, onOtherRun, parameters, setParameter, store, whyGone } from "./robot.js";
 import { changedByUser } from "./ticker.js";
 
 const TIMEOUT = 120000; // ms; a slow computer may need long
@@ -21,12 +21,15 @@ export const trial = {
 let show = () => {};
 let asked = 0; // questions so far; only the answer to the last one counts
 
-/// Sets what shows the panel.
+/// Sets what shows a panel: `call(id, enters)`; `enters`: and gives it the focus.
 export function onTrial(call) {
   show = call;
 }
 
 export const canTry = () => canCall("what_if", true);
+/// Why nothing can be tried, as one sentence; empty: it can.
+export const whyNoTrial = () =>
+  canTry() ? "" : link.refusal || whyGone() || "This robot keeps no frames, so it cannot answer what-if.";
 export const isTrying = () => trial.parameters.size > 0 || trial.scripts.size > 0;
 
 /// The end of the replayed time: now, or half of it after the shown instant. Nothing: the last frame.
@@ -71,10 +74,20 @@ export function setSeconds(seconds) {
   askAgain();
 }
 
-/// Whether sliders try values instead of setting them.
-export function switchTrial() {
+/// Shows the answer, which is in another panel than the controls.
+export const showAnswer = () => show("what_if", true);
+
+/// Begins or ends a what-if of parameters: whether the controls of their panel try values instead of setting them. The
+/// end drops the values that were tried. `enters`: whether the panel gets the focus.
+export function switchTrial(enters = false) {
   trial.isOn = !trial.isOn;
-  if (trial.isOn) show();
+  if (trial.isOn) {
+    show("what_if", false);
+    show("parameters", enters);
+  } else if (trial.parameters.size) {
+    trial.parameters.clear();
+    askAgain();
+  }
   changedByUser();
 }
 
@@ -85,7 +98,7 @@ export function tryParameter(name, value) {
 
 export function tryScript(file, text) {
   trial.scripts.set(file, text);
-  show();
+  show("what_if", false);
   ask();
 }
 

@@ -2,12 +2,13 @@
 // The parameters: search, sliders and numbers with range, unit and description; undo; differences.
 import { useRef, useState } from "preact/hooks";
 
-import { entered } from "../format.js";
+import { entered, seconds } from "../format.js";
 import { isRunPaused } from "../operator.js";
+import { filtersOf, listed, whyEmpty } from "../parameter_list.js";
 import { call, canCall, canSetParameters, link, parameters, setParameter, undoParameter } from "../robot.js";
 import { SearchBox } from "../search_box.jsx";
 import { useChanges } from "../ticker.js";
-import { canTry, dropParameter, switchTrial, trial, tryParameter } from "../trial.js";
+import { canTry, dropParameter, isTrying, showAnswer, switchTrial, trial, tryParameter, whyNoTrial } from "../trial.js";
 
 const LONGEST_LIST = 120;
 const SEND_INTERVAL = 100; // ms, while a slider moves
@@ -165,7 +166,7 @@ function Parameter({ parameter, disabled }) {
           <button
             class="link"
             onClick={() => {
-              setParameter(name, parameter.default);
+              send(name, parameter.default);
               parameters.settle();
             }}
           >
@@ -187,13 +188,6 @@ function Parameter({ parameter, disabled }) {
     </li>
   );
 }
-
-const FILTERS = [
-  ["all", "all", () => true],
-  ["default", "changed", (it) => parameters.differs(it, "default")],
-  ["start", "since the start", (it) => parameters.differs(it, "start")],
-];
-const FILE_FILTER = ["file", "unlike the file", (it) => parameters.differs(it, "file")];
 
 /// Saves what differs from the defaults, and compares with such a file.
 function ParameterFile({ disabled, onCompare }) {
@@ -246,23 +240,57 @@ function ParameterFile({ disabled, onCompare }) {
   );
 }
 
+/// Why nothing is listed, with a way back to all parameters.
+function Empty({ filter, search, onShowAll }) {
+  return (
+    <li class="empty" role="status">
+      {whyEmpty(parameters, filter, search)}
+      {parameters.all.size > 0 && (
+        <button class="button" onClick={onShowAll}>
+          Show all parameters
+        </button>
+      )}
+    </li>
+  );
+}
+
+/// Who receives the values, while a what-if is on, and its first result. It may be out of sight on a phone.
+function TrialNotice() {
+  const { answer, failure, isAsking } = trial;
+  const decision = answer?.first_decision;
+  const found = decision ? `the first decision that differs is at ${seconds(decision.time)}.` : "no decision differs.";
+  return (
+    <div class="trial-notice" role="status">
+      <span class="grow">
+        <b>What if:</b>{" "}
+        {isTrying()
+          ? failure || (isAsking || !answer ? "replaying…" : found)
+          : `change a value, and the last ${trial.seconds} s are replayed with it. The robot keeps its own.`}
+      </span>
+      {isTrying() && (
+        <button class="link" title="Show the answer in the panel What if (W)" onClick={showAnswer}>
+          show
+        </button>
+      )}
+    </div>
+  );
+}
+
 function ParametersPanel() {
   useChanges(200);
   const [search, setSearch] = useState("");
   const [filter, setFilter] = useState("all");
   const disabled = !canSetParameters();
-  const words = search.toLowerCase().split(/\s+/).filter(Boolean);
-  const filters = parameters.file ? [...FILTERS, FILE_FILTER] : FILTERS;
-  const accepts = (filters.find(([id]) => id === filter) ?? FILTERS[0])[2];
-  const isNamed = (it) => words.every((word) => it.name.includes(word));
-  const found = [...parameters.all.values()]
-    .filter(
-      (it) => accepts(it) && words.every((word) => `${it.name} ${it.description ?? ""}`.toLowerCase().includes(word)),
-    )
-    .sort((a, b) => isNamed(b) - isNamed(a) || (a.name < b.name ? -1 : 1));
+  const filters = filtersOf(parameters);
+  const chosen = filters.some(({ id }) => id === filter) ? filter : "all";
+  const found = listed(parameters, chosen, search);
+  const showWhole = (which) => {
+    setSearch("");
+    setFilter(which);
+  };
   const last = parameters.undos.at(-1);
   return (
-    <div class="fill column">
+    <div class={trial.isOn ? "fill column trying" : "fill column"}>
       <div class="row pad">
         <SearchBox
           placeholder="Search a name or description"
@@ -278,31 +306,31 @@ function ParametersPanel() {
         >
           Undo
         </button>
+        <button
+          class="button what-if"
+          aria-pressed={trial.isOn}
+          disabled={!canTry()}
+          title={whyNoTrial() || "Try values on the last seconds, without sending them to the robot"}
+          onClick={() => switchTrial()}
+        >
+          {trial.isOn ? "End what-if" : "What if…"}
+        </button>
       </div>
+      {trial.isOn && <TrialNotice />}
       <div class="chips" role="group" aria-label="Which parameters">
-        {filters.map(([id, name, accept]) => (
-          <button key={id} class="chip" aria-pressed={filter === id} onClick={() => setFilter(id)}>
+        {filters.map(({ id, name, count }) => (
+          <button key={id} class="chip" aria-pressed={chosen === id} onClick={() => setFilter(id)}>
             {name}
-            {id === "all" ? "" : ` (${[...parameters.all.values()].filter(accept).length})`}
+            {id === "all" ? "" : ` (${count})`}
           </button>
         ))}
-        {canTry() && (
-          <button
-            class="chip"
-            aria-pressed={trial.isOn}
-            title="Try values on the last seconds, without sending them to the robot"
-            onClick={switchTrial}
-          >
-            What if
-          </button>
-        )}
         {disabled && (
           <span class="soft" title={link.refusal}>
             read-only
           </span>
         )}
       </div>
-      <ParameterFile disabled={disabled} onCompare={() => setFilter("file")} />
+      <ParameterFile disabled={disabled} onCompare={() => showWhole("file")} />
       <ul class="scroll parameters">
         {found.slice(0, LONGEST_LIST).map((parameter) => (
           <Parameter key={parameter.name} parameter={parameter} disabled={disabled} />
@@ -310,15 +338,7 @@ function ParametersPanel() {
         {found.length > LONGEST_LIST && (
           <li class="soft pad">{found.length - LONGEST_LIST} more; search for a name.</li>
         )}
-        {!found.length && (
-          <li class="empty">
-            {!parameters.all.size
-              ? "The robot has not sent its parameters yet."
-              : filter === "file" && !words.length
-                ? `All parameters have the values of ${parameters.file.name}.`
-                : "No parameter matches."}
-          </li>
-        )}
+        {!found.length && <Empty filter={chosen} search={search} onShowAll={() => showWhole("all")} />}
       </ul>
     </div>
   );

@@ -3,7 +3,7 @@
 import { Canvas } from "../draw/canvas.jsx";
 import { drawTrial, trialBandsHeight } from "../draw/trial.js";
 import { entered, seconds } from "../format.js";
-import { canSetParameters, limits, link, parameters, store, whyGone } from "../robot.js";
+import { canSetParameters, limits, parameters, store } from "../robot.js";
 import { theme } from "../theme.js";
 import { useChanges } from "../ticker.js";
 import {
@@ -15,7 +15,9 @@ import {
   dropScript,
   isTrying,
   setSeconds,
+  switchTrial,
   trial,
+  whyNoTrial,
 } from "../trial.js";
 
 const SPANS = [10, 30, 60];
@@ -121,15 +123,22 @@ function Answer({ answer }) {
 }
 
 function Hint() {
-  if (!canTry())
-    return (
-      <p class="empty">{link.refusal || whyGone() || "This robot keeps no frames, so it cannot answer what-if."}</p>
-    );
+  if (!canTry()) return <p class="empty">{whyNoTrial()}</p>;
   return (
-    <p class="empty">
-      Switch on “What if” in the panel Parameters and move a slider, or press “What if” above an edited script. The last
-      seconds are then replayed with the change, without sending it to the robot.
-    </p>
+    <div class="empty">
+      <p>
+        Would another value have been better? The last {trial.seconds} s are replayed with a change, without sending it
+        to the robot.
+      </p>
+      {trial.isOn ? (
+        <p>Change a value in the panel Parameters.</p>
+      ) : (
+        <button class="button" onClick={() => switchTrial(true)}>
+          Try parameters
+        </button>
+      )}
+      <p>To try a script, edit it in the panel Scripts, and press “What if” above it.</p>
+    </div>
   );
 }
 
