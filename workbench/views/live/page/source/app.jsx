@@ -12,7 +12,7 @@ import { Pace } from "./pace.jsx";
 import { panels } from "./panels/index.js";
 import { replay } from "./replay.js";
 import { ReplayPace } from "./replay.jsx";
-import { endReason, isReplay, limits, link, store } from "./robot.js";
+import { isReplay, limits, link, runEnd, store } from "./robot.js";
 import { thought } from "./sentence.js";
 import { settings } from "./settings.js";
 import { Slowness } from "./slowness.jsx";
@@ -23,7 +23,6 @@ import { onTrial } from "./trial.js";
 const STALE = 3000; // ms without a message after which the page says so
 const RETRY = 1000; // ms
 const LONG = 15000; // ms without a connection
-const ENDED = "the run has ended"; // the reason that the robot gives
 
 onTrial((id, enters) => (enters ? enterPanel : openPanel)(id));
 
@@ -31,8 +30,8 @@ function connectionText() {
   const now = Date.now();
   if (link.state === "connecting") return { tone: "doubt", text: "Connecting to the robot…" };
   if (link.state === "closed") {
-    if (endReason().includes(ENDED))
-      return { tone: "wrong", text: "The run has ended. Another run prints another link. Trying again…" };
+    // The end of a run is no fault.
+    if (runEnd()) return { tone: "busy", text: `${runEnd()}. Another run prints another link.` };
     const gone = duration((now - link.since) / 1000);
     const hint = now - link.since > LONG ? " A restarted run prints another link." : "";
     return { tone: "wrong", text: `The robot is gone for ${gone}. Trying again…${hint}` };

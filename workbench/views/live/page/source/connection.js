@@ -6,6 +6,8 @@ const FIRST_RETRY = 1000; // ms
 const LONGEST_RETRY = 3000;
 const SILENCE = 10000; // after this time without any message the connection is opened again
 const SERVICE_TIMEOUT = 5000;
+// Their answers come with the next frame, which a paused run has not.
+const NEEDS_FRAME = new Set(["note", "reload", "set_parameters", "undo"]);
 
 /// Events that `listener(name, value)` receives: "state", "server", "message", "status", "parameters", "services",
 /// "playback", "bad".
@@ -19,11 +21,12 @@ export class Connection {
     this.services = new Map(); // name: id
     this.channels = new Map(); // id: topic
     this.subscriptions = new Map(); // id: topic
-    this.calls = new Map(); // id: {resolve, reject, timer}
+    this.calls = new Map(); // id: {name, resolve, reject, timeout, timer}
     this.nextId = 1;
     this.retry = FIRST_RETRY;
     this.lastHeard = 0;
     this.reason = ""; // that the robot gave when it ended the connection, until a robot answers
+    this.isPaused = false; // the run, as last reported
     this.watch = setInterval(() => this.checkSilence(), 1000);
     this.open();
   }
@@ -149,24 +152,30 @@ export class Connection {
     return this.server?.capabilities?.includes(capability) ?? false;
   }
 
-  /// Calls a service that the robot advertises. The promise rejects with the robot's reason, or after `timeout` ms.
+  /// Calls a service that the robot advertises. The promise rejects with the robot's reason, or after `timeout` ms. A
+  /// call that needs a frame waits as long as the run is paused.
   call(name, value, timeout = SERVICE_TIMEOUT) {
     const service = this.services.get(name);
     if (service === undefined) return Promise.reject(new Error(`the robot has no service ${name}`));
     const call = this.nextId++;
     return new Promise((resolve, reject) => {
-      const timer = setTimeout(
-        () =>
-          this.finishCall(
-            call,
-            null,
-            new Error(`no answer to ${name} after ${timeout / 1000} s; a paused run answers later`),
-          ),
-        timeout,
-      );
-      this.calls.set(call, { resolve, reject, timer });
+      this.calls.set(call, { name, resolve, reject, timeout });
+      this.awaitAnswer(call);
       this.socket.send(serviceRequest(service, call, value));
     });
+  }
+
+  awaitAnswer(id) {
+    const call = this.calls.get(id);
+    call.timer = setTimeout(() => {
+      if (this.isPaused && NEEDS_FRAME.has(call.name)) this.awaitAnswer(id);
+      else this.finishCall(id, null, new Error(this.lateText(call)));
+    }, call.timeout);
+  }
+
+  lateText({ name, timeout }) {
+    const state = this.isPaused ? "The run is paused, but this needs no frame" : "The run is not paused";
+    return `No answer to ${name} within ${timeout / 1000} s. ${state}: a computer or the connection is busy.`;
   }
 
   finishCall(id, value, error) {

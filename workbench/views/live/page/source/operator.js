@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The operator beside the field, and the pace of the run: what this run offers, and the requests of this page.
 import { mirrored } from "./draw/field.js";
-import { call, canCall, isReplay, link, store, whyGone } from "./robot.js";
+import { call, canCall, isReplay, link, setPaused, store, whyGone } from "./robot.js";
 import { changed, changedByUser } from "./ticker.js";
 
 const POLL = 1000; // ms
@@ -14,7 +14,7 @@ let placed = null; // where this page placed the robot: {pose, after: s, run}
 
 function take(answer) {
   Object.assign(run, answer);
-  if (!isReplay()) store.isStill = run.paused;
+  if (!isReplay()) setPaused(run.paused);
 }
 
 async function refresh() {

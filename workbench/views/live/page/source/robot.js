@@ -7,8 +7,8 @@ import { Store, TOPICS } from "./store.js";
 import { changed, changedByUser, onFailure } from "./ticker.js";
 
 const SLOW = "Send buffer limit reached"; // the text of the protocol for a client that is too slow
-
-const RATE = "slow"; // id of the status with the rates of a slow connection
+const ENDED = "the run has ended"; // begins the reason with which a run ends the connection
+const RATE = "slow"; // id of the status with reduced rates, and their cause
 const SET = "set_parameters"; // a service
 const ACCESS = "access"; // id of the status that says why this page may change nothing
 const NOTICE = 15000; // ms for which a status without an id is shown
@@ -18,7 +18,7 @@ onFailure((error) => store.fail(error.message));
 export const parameters = new Parameters(changed, changedByUser);
 
 /// state: connecting, open or closed; since: Date.now() of its last change; notices: what the server reports; refusal:
-/// why this page may change nothing; slow: the rates of a slow connection; framed: Date.now() of the last frame.
+/// why this page may change nothing; slow: reduced rates and their cause; framed: Date.now() of the last frame.
 export const link = {
   state: "connecting",
   since: Date.now(),
@@ -140,12 +140,16 @@ export const canSetParameters = () =>
 export const canCall = (service, changes = false) => link.services.has(service) && !(changes && link.refusal);
 /// Why nothing is known about what the robot offers; empty: it is connected.
 export function whyGone() {
-  if (link.state === "closed") return "The robot is gone. The page connects again by itself.";
+  if (link.state === "closed")
+    return runEnd() ? `${runEnd()}.` : "The robot is gone. The page connects again by itself.";
   if (link.state === "connecting") return "Connecting to the robot…";
   return link.services.size || !connection.has("services") ? "" : "Waiting for the robot…";
 }
-/// Why the robot ended the connection; an empty text: it did not say.
-export const endReason = () => connection?.reason ?? "";
+/// The end of the run, and who ended it, as a text without a full stop; empty: the run did not report its end.
+export function runEnd() {
+  const reason = connection?.reason ?? "";
+  return reason.startsWith(ENDED) ? reason.replace(ENDED, "The run has ended") : "";
+}
 /// Whether the robot is a recording with a time bar.
 export const isReplay = () => connection?.has("playbackControl") ?? false;
 /// Sends a request of playbackRequest().
@@ -156,6 +160,11 @@ export function dataRange() {
   return start && end ? [seconds(start), seconds(end)] : null;
 }
 export const call = (service, value, timeout) => connection.call(service, value, timeout);
+/// Sets whether the run is paused, so that no frames arrive.
+export function setPaused(isPaused) {
+  store.isStill = isPaused;
+  connection.isPaused = isPaused;
+}
 
 /// Sends a value of a parameter. The answer contains the value that is in force.
 export function setParameter(name, value, undo = true) {

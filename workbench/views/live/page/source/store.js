@@ -79,7 +79,6 @@ export class Store {
     this.onChange = onChange;
     this.onShow = onShow;
     this.budget = budget;
-    this.dropped = 0; // times that the robot dropped messages because the connection is slow
     this.bad = 0; // messages that could not be read or drawn
     this.badText = "";
     this.isReplay = false; // the time may go back, to frames that are then sent again

@@ -3,24 +3,30 @@
 import { useState } from "preact/hooks";
 
 import { fixed } from "../format.js";
+import { isRunPaused } from "../operator.js";
 import { call, canCall, link, store, whyGone } from "../robot.js";
 import { useChanges } from "../ticker.js";
 
 function Notes() {
   useChanges(250);
   const [text, setText] = useState("");
-  const [answer, setAnswer] = useState("");
+  const [failure, setFailure] = useState("");
+  const [sent, setSent] = useState([]); // texts without an answer
   const notes = store.events.filter((event) => event.kind === "note").reverse();
   const send = async (event) => {
     event.preventDefault();
-    if (!text.trim()) return;
+    const note = { text: text.trim() };
+    if (!note.text) return;
+    setText("");
+    setFailure("");
+    setSent((all) => [note, ...all]);
     try {
-      await call("note", { text: text.trim() });
-      setText("");
-      setAnswer("");
+      await call("note", note);
     } catch (error) {
-      setAnswer(`The note was not stored: ${error.message}`);
+      setFailure(`The note “${note.text}” was not stored: ${error.message}`);
+      setText((typed) => typed || note.text);
     }
+    setSent((all) => all.filter((it) => it !== note));
   };
   return (
     <div class="fill column">
@@ -41,8 +47,17 @@ function Notes() {
           </button>
         </form>
       )}
-      {answer && <div class="fault pad">{answer}</div>}
+      {failure && <div class="fault pad">{failure}</div>}
       <ol class="scroll log">
+        {isRunPaused() &&
+          sent.map((note, i) => (
+            <li key={`sent ${i}`}>
+              <span>{note.text}</span>
+              <span class="badge" title="The run is paused. It stores the note when it runs a frame.">
+                from the next frame on
+              </span>
+            </li>
+          ))}
         {notes.map((note) => (
           <li key={`${note.time} ${note.text}`}>
             <button class="plain time" title="Show this instant" onClick={() => store.show(note.time)}>
@@ -54,7 +69,7 @@ function Notes() {
             </span>
           </li>
         ))}
-        {!notes.length && (
+        {!notes.length && !sent.length && (
           <li class="empty">
             {canCall("note", true)
               ? "No notes yet. A note is stored in the recording with the time of the robot."

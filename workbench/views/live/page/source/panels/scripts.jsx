@@ -3,6 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import { seconds } from "../format.js";
+import { isRunPaused } from "../operator.js";
 import { canCall, link, whyGone } from "../robot.js";
 import {
   canSave,
@@ -59,7 +60,12 @@ function Result({ script }) {
   if (script.isSaving) return <div class="row tight soft">Saving…</div>;
   if (script.savedAt === undefined) return null;
   if (file.startsWith("tests/")) return <div class="row tight good">Saved. Run it with reorient test.</div>;
-  if (!result) return <div class="row tight soft">Saved. The run has not reported the edit yet.</div>;
+  if (!result) {
+    const next = isRunPaused()
+      ? "The run is paused: it loads the edit with the next frame."
+      : "The run has not reported the edit yet.";
+    return <div class="row tight soft">Saved. {next}</div>;
+  }
   if (result.accepted) return <div class="row tight good">The edit is running since {seconds(result.time)}.</div>;
   const { finding } = result;
   return (
