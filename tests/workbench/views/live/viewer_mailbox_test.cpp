@@ -270,7 +270,8 @@ TEST(RateStatus, HasOneTextForViewersThatListEachText) {
   news_of_pass(rate, 0.0, 1, 60, false);
   news_of_pass(rate, 2.0, 5, 2, false);
   const std::string slow = news_of_pass(rate, 4.0, 5, 2, false);
-  EXPECT_NE(slow.find("\"slow connection or busy computer: some frames or images are left out\""), std::string::npos) << slow;
+  EXPECT_NE(slow.find("\"slow connection or busy computer: some frames or images are left out\""), std::string::npos)
+      << slow;
   EXPECT_EQ(news_of_pass(rate, 6.0, 2, 30, false), "");
   EXPECT_EQ(news_of_pass(rate, 8.0, 6, 0, false), "");
 }
