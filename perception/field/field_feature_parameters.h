@@ -9,7 +9,7 @@ struct FieldFeatureParameters {
   double carpet_memory = 0.7;
   int carpet_patience = 300;
   double carpet_saturation = 0.3;
-  double line_contrast = 8.0;
+  double line_contrast = 7.0;
   double noise_factor = 3.5;
   double line_range = 4.5;
   double line_spacing = 0.03;

@@ -57,6 +57,9 @@ struct StructureTensor {
   }
 };
 
+/// Pixels over which the image of an edge is blurred.
+double blur_of(const ImageView& image) { return 1.0 + image.width / 320.0; }
+
 double half_turn_angle(const Vector2d& direction) {
   const double angle = direction_of(direction);
   if (angle > 0.5 * kPi) return angle - kPi;
@@ -77,6 +80,8 @@ std::optional<Vector2d> ground_normal(const GroundProjection& view, const Vector
 struct NearestPixel {
   Ycbcr color;
   const CarpetPart& carpet;  ///< at that pixel
+
+  Surface surface() const { return carpet.surface(color.y, color.cb, color.cr); }
 };
 
 /// (blue, red), without the offset of 128.
@@ -86,6 +91,21 @@ NearestPixel nearest_pixel(const ImageView& image, const CarpetColor& color, con
   const int x = static_cast<int>(std::lround(std::clamp(where.x(), 0.0, image.width - 1.0)));
   const int y = static_cast<int>(std::lround(std::clamp(where.y(), 0.0, image.height - 1.0)));
   return {image.at(x, y), color.at(x, y)};
+}
+
+/// Surface of the mean color of some pixels in a row in this direction. Their chroma has less noise than that of one.
+Surface mean_surface_along(const ImageView& image, const CarpetColor& color, const Vector2d& middle,
+                           const Vector2d& direction) {
+  constexpr int kReach = 2, kCount = 2 * kReach + 1;
+  constexpr double kStep = 2.0;  // pixels, since two neighbors in a row have the same chroma
+  int luma = 0, blue = 0, red = 0;
+  for (int i = -kReach; i <= kReach; ++i) {
+    const Ycbcr pixel = nearest_pixel(image, color, middle + i * kStep * direction).color;
+    luma += pixel.y;
+    blue += pixel.cb;
+    red += pixel.cr;
+  }
+  return nearest_pixel(image, color, middle).carpet.surface(luma / kCount, blue / kCount, red / kCount);
 }
 
 }  // namespace
@@ -183,28 +203,42 @@ void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2
     const Vector2d end = start + segment.end * step;
     Candidate candidate;
     candidate.color.contrast = 0.5 * segment.contrast;  // luma is a sum of two pixels
-    if (lies_on_carpet(frame, start + (segment.before - 1) * step, 0.5 * (begin + end),
-                       start + (segment.after + 1) * step, candidate)) {
-      consider(frame, begin, end, candidate);
-    }
+    const Side before{begin, start + (segment.before - 1) * step}, after{end, start + (segment.after + 1) * step};
+    if (lies_on_carpet(frame, before, after, candidate)) consider(frame, begin, end, candidate);
   }
 }
 
-bool LinePoints::lies_on_carpet(const Frame& frame, const Vector2d& before, const Vector2d& center,
-                                const Vector2d& after, Candidate& candidate) const {
+bool LinePoints::lies_on_carpet(const Frame& frame, const Side& before, const Side& after, Candidate& candidate) const {
+  const Vector2d center = 0.5 * (before.edge + after.edge);
   if (center.y() < boundary_at(frame.percept.boundary, frame.image.width, center.x()) + 1.0) return false;
   candidate.color.carpet = Vector2d::Zero();
   bool is_sure = false;
-  for (const Vector2d& side : {before, after}) {
-    const auto [ground, carpet] = nearest_pixel(frame.image, frame.color, side);
-    const Surface surface = carpet.surface(ground.y, ground.cb, ground.cr);
+  const double thin = 1.5 * blur_of(frame.image);
+  const bool is_thin = (after.edge - before.edge).squaredNorm() < thin * thin;
+  for (const Side& side : {before, after}) {
+    const NearestPixel ground = nearest_pixel(frame.image, frame.color, side.outside);
+    Surface surface = ground.surface();
+    if (surface == Surface::other && is_thin) surface = mean_surface(frame, side, center);
     if (surface == Surface::other) return false;
     is_sure = is_sure || surface == Surface::carpet;
-    candidate.color.carpet += 0.5 * chroma_of(ground);
+    candidate.color.carpet += 0.5 * chroma_of(ground.color);
   }
   candidate.color.less_carpet =
       chroma_of(nearest_pixel(frame.image, frame.color, center).color) - candidate.color.carpet;
   return is_sure && !hides(frame.percept, center);
+}
+
+/// The surface of several pixels beside a thin, so distant stripe, since the chroma of one pixel may be noise. A strip
+/// of carpet between a line and the boards may be so narrow that only the pixels close to the edge show it.
+Surface LinePoints::mean_surface(const Frame& frame, const Side& side, const Vector2d& center) {
+  const double close = blur_of(frame.image) - 1.0;  // pixels
+  StructureTensor edges;
+  edges.add(frame.image, center);
+  const Vector2d tangent = edges.tangent(), out = side.outside - side.edge;
+  const double distance = out.norm();
+  const Surface surface = mean_surface_along(frame.image, frame.color, side.outside, tangent);
+  if (surface != Surface::other || distance <= close) return surface;
+  return mean_surface_along(frame.image, frame.color, side.edge + close / distance * out, tangent);
 }
 
 /// Adds a stripe if it has the width of a line on the ground and its two edges are parallel.
@@ -216,7 +250,7 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   const Vector2d position = 0.5 * (*first + *second);
   const double distance = frame.view.distance(position);
   if (!(distance <= parameters_.line_range)) return;
-  const double blur = 1.0 + frame.image.width / 320.0;  // pixels
+  const double blur = blur_of(frame.image);
   const Vector2d across = *second - *first;
   const double length = across.norm();  // m along the scan line
   const double meters_per_pixel = length / std::max((end - begin).norm(), 1e-6);

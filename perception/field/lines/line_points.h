@@ -49,11 +49,17 @@ class LinePoints {
     const FieldPercept& percept;
   };
 
+  /// One side of a stripe, pixels.
+  struct Side {
+    Eigen::Vector2d edge;
+    Eigen::Vector2d outside;  ///< beyond the edge's blur
+  };
+
   void scan_columns(const Frame& frame);
   void scan_rows(const Frame& frame);
   void search(const Frame& frame, const Eigen::Vector2d& start, const Eigen::Vector2d& step);
-  bool lies_on_carpet(const Frame& frame, const Eigen::Vector2d& before, const Eigen::Vector2d& center,
-                      const Eigen::Vector2d& after, Candidate& candidate) const;
+  bool lies_on_carpet(const Frame& frame, const Side& before, const Side& after, Candidate& candidate) const;
+  static Surface mean_surface(const Frame& frame, const Side& side, const Eigen::Vector2d& center);
   void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, Candidate& candidate);
   void add_lone(const Eigen::Vector2d& position);
   void keep_supported(FieldPercept& percept);
