@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/pinned_math.h"
+#include "perception/field/lines/hiding.h"
 
 namespace reorient {
 namespace {
@@ -40,11 +41,12 @@ std::optional<BallFinder::Circle> BallFinder::circle_above(const GroundProjectio
 
 /// Combines two fractions: of the positions inside that are not carpet, and of the positions around that are carpet or
 /// a line that passes behind the ball. A foot or a hand continues into its robot, and a corner of lines continues in
-/// two directions.
+/// two directions. The blurred end of the center circle, seen from the side, is as wide as a ball, but the circle's
+/// line covers it.
 double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   constexpr double kInner = 0.4, kOuter = 0.78, kBeyond = 1.3;  // multiples of the radius
   constexpr double kBlur = 1.2;                                 // pixels
-  constexpr double kLeastSure = 0.4, kDark = 0.7;
+  constexpr double kLeastSure = 0.4, kLeastOffCircle = 0.2, kDark = 0.7;
   constexpr int kInside = 2 * kPlaces, kMostCarpetInside = 1;
   constexpr int kLeastCarpet = 7, kLeastOpen = 15, kMostInRow = 3;  // positions around; on the line in a row
   const auto pixel_at = [&](double radius, int place) {
@@ -89,16 +91,20 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   if (carpet < kLeastCarpet || open < kLeastOpen) return 0.0;
   // The dark patches of a ball can have the tint of dark carpet.
   const double dark = kDark * luma / carpet;
-  int carpet_inside = 0, sure = 0;
+  const bool is_on_circle = behind == -1;
+  int carpet_inside = 0, sure = 0, off_circle = 0;
   for (const double radius : {kOuter, kInner}) {
     for (int i = 0; i < kPlaces; ++i) {
       const auto seen = seen_at(pixel_at(radius * std::max(0.0, circle.radius - 0.5), i));
       if (!seen) return 0.0;
       if (seen->surface == Surface::carpet && seen->luma > dark && ++carpet_inside > kMostCarpetInside) return 0.0;
       sure += seen->surface == Surface::other ? 1 : 0;
+      if (!is_on_circle) continue;
+      const auto place = frame.view.ground(pixel_at(radius * circle.radius, i));
+      off_circle += !place || frame.lines.at(*place) != behind ? 1 : 0;
     }
   }
-  if (sure < kLeastSure * kInside) return 0.0;
+  if (sure < kLeastSure * kInside || (is_on_circle && off_circle < kLeastOffCircle * kInside)) return 0.0;
   return 0.5 * (kInside - carpet_inside) / kInside + 0.5 * carpet / kPlaces;
 }
 
@@ -140,7 +146,8 @@ std::optional<Ball> BallFinder::find(const FieldImage& seen, const CarpetMap& ma
           for (int j = -1; j <= 2; ++j) {
             Circle moved{center + kStep * radius * Vector2d(i, j), radius, 0.0};
             moved.likeness = likeness(frame, moved);
-            if (moved.likeness > best.likeness) best = moved;
+            // A foot or a hand of a robot is round and white, too.
+            if (moved.likeness > best.likeness && !hides(percept, moved.center)) best = moved;
           }
         }
       }
