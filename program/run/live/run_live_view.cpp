@@ -35,7 +35,7 @@ LiveViewPointer start_live_view(const LiveOptions& options, LiveLoad load, const
 
 void end_live_view(LiveView* live, const std::string& user, std::ostream& out) {
   if (live == nullptr) return;
-  live->stop(user.empty() ? "the run has ended" : "the run has ended, by " + user);
+  live->stop("the run has ended" + (user.empty() ? "" : ", by " + user));
   const LiveView::Counts counts = live->counts();
   out << fmt::format(
       "live view: {}; not shown: {} because the processor was busy, {}, {} and {} because a "

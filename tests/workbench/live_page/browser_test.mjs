@@ -442,9 +442,9 @@ test("drops that the robot reports are shown", async () => {
 });
 
 test("reduced rates are shown with their cause until nothing is left out", async () => {
-  robot.report(1, "busy computer: 6 of 30 frames a second, 1 image a second", "slow");
-  await page.locator(".connection").getByText("busy computer: 6 of 30 frames a second").waitFor();
-  robot.report(1, "slow connection or busy viewer: 9 of 30 frames a second, no images", "slow");
+  robot.report(1, "busy computer: 6 of 30 frames, 1 of 30 images a second", "slow");
+  await page.locator(".connection").getByText("busy computer: 6 of 30 frames").waitFor();
+  robot.report(1, "slow connection or busy viewer: 9 of 30 frames, 0 of 30 images a second", "slow");
   await page.locator(".connection").getByText(/^(slow connection or busy computer|busy browser): 9 of 30 frames a second/).waitFor();
   assert.equal(await page.getByText("6 of 30 frames").count(), 0);
   robot.removeReport("slow");

@@ -29,7 +29,7 @@ test("a page that was hidden is not a busy browser", () => {
 });
 
 test("the page completes the cause that the robot cannot know", () => {
-  const rates = "6 of 30 frames a second, 1 image a second";
+  const rates = "6 of 30 frames, 1 of 30 images a second";
   const unknown = `slow connection or busy viewer: ${rates}`;
   assert.equal(rateText(unknown, false).text, `slow connection or busy computer: ${rates}`);
   assert.equal(rateText(unknown, true).text, `busy browser: ${rates}`);

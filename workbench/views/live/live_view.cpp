@@ -29,7 +29,7 @@ constexpr std::size_t index_of(ViewerTopic topic) { return static_cast<std::size
 
 live::ServerInfo server_info_of(const LiveViewOptions& options) {
   live::ServerInfo info{
-      options.name, {"parameters", "parametersSubscribe", "services"}, live::make_token(), options.version};
+      options.name, {"parameters", "parametersSubscribe", "services", "time"}, live::make_token(), options.version};
   if (options.data_start) info.capabilities.emplace_back("playbackControl");
   if (options.data_start) info.data_start = live::to_nanoseconds(*options.data_start);
   if (options.data_end) info.data_end = live::to_nanoseconds(*options.data_end);
@@ -75,8 +75,8 @@ LiveView::LiveView(LiveViewOptions options, live::LiveSubject subject)
 
 LiveView::~LiveView() { stop(); }
 
-void LiveView::stop() {
-  if (server_) server_->stop("the run has ended");
+void LiveView::stop(const std::string& reason) {
+  if (server_) server_->stop(reason);
   if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);

@@ -67,11 +67,7 @@ class LiveView : public InputSource, public Observer {
   void begin_again() { begins_ = true; }
 
   /// Ends all connections and threads, within a second. Viewers receive the reason, of at most 123 bytes.
-  void stop(const std::string& reason) {
-    server_->stop(reason);
-    stop();
-  }
-  void stop();
+  void stop(const std::string& reason = "the run has ended");
 
   struct Counts {
     std::uint64_t viewers = 0;           ///< that connected

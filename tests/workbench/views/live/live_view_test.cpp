@@ -148,7 +148,7 @@ TEST_F(ViewedRun, IntroducesItselfWithTopicsAndServices) {
     EXPECT_TRUE(viewer.open(token, name).starts_with("HTTP/1.1 101 "));
     const json info = viewer.receive()->json();
     EXPECT_EQ(info["op"], "serverInfo");
-    EXPECT_EQ(info["capabilities"], json({"parameters", "parametersSubscribe", "services"}));
+    EXPECT_EQ(info["capabilities"], json({"parameters", "parametersSubscribe", "services", "time"}));
     EXPECT_EQ(viewer.receive()->json()["channels"].size(), kViewerTopics.size());
     const json services = viewer.receive()->json()["services"];
     ASSERT_EQ(services.size(), kServices.size());

@@ -159,6 +159,12 @@ std::array<std::byte, kDataHead> message_data_head(std::uint32_t subscription, s
   return head;
 }
 
+std::vector<std::byte> server_time(std::uint64_t now) {
+  BinaryWriter out(2);
+  out.number(now);
+  return out.take();
+}
+
 std::vector<std::byte> service_response(std::uint32_t service, std::uint32_t call, std::string_view json) {
   BinaryWriter out(3);
   out.number(service);

@@ -132,6 +132,8 @@ std::string service_failure(std::uint32_t service, std::uint32_t call, std::stri
 /// The part of a message of data before its payload. `time`: ns.
 inline constexpr std::size_t kDataHead = 13;
 std::array<std::byte, kDataHead> message_data_head(std::uint32_t subscription, std::uint64_t time);
+/// The time of the robot at the messages that follow. Without it, viewers use their own clock. `now`: ns.
+std::vector<std::byte> server_time(std::uint64_t now);
 std::vector<std::byte> service_response(std::uint32_t service, std::uint32_t call, std::string_view json);
 std::vector<std::byte> asset_failure(std::uint32_t request, std::string_view message);
 

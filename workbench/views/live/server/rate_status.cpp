@@ -27,12 +27,12 @@ std::string rate_text(std::uint64_t count, double seconds) {
 }
 
 std::string slow_text(const char* cause, const FrameCounts& offered, const FrameCounts& sent, double seconds) {
-  std::string text = std::string(cause) + ": " + rate_text(sent.frames, seconds) + " of " +
-                     rate_text(offered.frames, seconds) + " frames a second";
-  if (offered.images == 0) return text;
-  if (sent.images == 0) return text + ", no images";
-  const std::string images = rate_text(sent.images, seconds);
-  return text + ", " + images + (images == "1" ? " image a second" : " images a second");
+  const auto rate = [&](std::uint64_t some, std::uint64_t all) {
+    return rate_text(some, seconds) + " of " + rate_text(all, seconds);
+  };
+  std::string text = std::string(cause) + ": " + rate(sent.frames, offered.frames) + " frames";
+  if (offered.images > 0) text += ", " + rate(sent.images, offered.images) + " images";
+  return text + " a second";
 }
 
 FrameCounts difference(const FrameCounts& later, const FrameCounts& earlier) {

@@ -142,7 +142,10 @@ ViewerMailbox::Clock::duration ViewerMailbox::send_frame(Clock::time_point now) 
   const LinkDecision decision = decide(link_, measure_link(now), waiting);
   link_ = decision.state;
   if (decision.sends) {
-    if (!std::exchange(frame_.is_sent, true)) rate_.send_frame();
+    if (!std::exchange(frame_.is_sent, true)) {
+      rate_.send_frame();
+      push_data({WebSocketType::binary, server_time(frame_.time), nullptr}, Importance::data);
+    }
     const auto send = [&](FrameMessage& one) {
       const auto head = message_data_head(one.subscription, frame_.time);
       if (one.importance == Importance::image) rate_.send_image();
