@@ -47,13 +47,13 @@ scenario "fallen" {
         when = function() return ground_truth.is_belief_right() and decision.for_believed() end,
         lasting = "stay", because = "the robot knows its pose again" },
     },
+  },
 
-    state "right" {
-      enter = function()
-        ground_truth.note("found")
-        verdict.succeed("the robot got up, reset its orientation and found it again")
-      end,
-    },
+  state "right" {
+    enter = function()
+      ground_truth.note("found")
+      verdict.succeed("the robot got up, reset its orientation and found it again")
+    end,
   },
 
   state "failed" {

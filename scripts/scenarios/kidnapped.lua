@@ -68,20 +68,20 @@ scenario "kidnapped" {
         when = function() return stands_on_a_mark() and not ground_truth.is_on_mark(-1, p.mark_tolerance) end,
         lasting = "stay", because = "the robot believes that it stands on a mark" },
     },
+  },
 
-    state "right" {
-      enter = function()
-        ground_truth.note("arrived")
-        verdict.succeed("the kidnapped robot found its position and walked to the correct mark")
-      end,
-    },
+  state "right" {
+    enter = function()
+      ground_truth.note("arrived")
+      verdict.succeed("the kidnapped robot found its position and walked to the correct mark")
+    end,
+  },
 
-    state "wrong" {
-      enter = function()
-        ground_truth.note("arrived")
-        verdict.fail("the robot believes that it stands on its mark; its belief is " .. ground_truth.error_in_words())
-      end,
-    },
+  state "wrong" {
+    enter = function()
+      ground_truth.note("arrived")
+      verdict.fail("the robot believes that it stands on its mark; its belief is " .. ground_truth.error_in_words())
+    end,
   },
 
   state "failed" {

@@ -59,27 +59,27 @@ scenario "mirrored_placement" {
       { "right again", when = function() return not robot.can_walk and ground_truth.is_belief_right() end,
         lasting = "settle", because = "the belief of a robot that cannot walk is right again" },
     },
+  },
 
-    state "right again" {
-      enter = function()
-        ground_truth.note("the belief is correct again")
-        verdict.succeed("the robot noticed that its belief was mirrored")
-      end,
-    },
+  state "right again" {
+    enter = function()
+      ground_truth.note("the belief is correct again")
+      verdict.succeed("the robot noticed that its belief was mirrored")
+    end,
+  },
 
-    state "right" {
-      enter = function()
-        ground_truth.note("arrived")
-        verdict.succeed("the robot noticed that its belief was mirrored and walked to the right mark")
-      end,
-    },
+  state "right" {
+    enter = function()
+      ground_truth.note("arrived")
+      verdict.succeed("the robot noticed that its belief was mirrored and walked to the right mark")
+    end,
+  },
 
-    state "wrong" {
-      enter = function()
-        ground_truth.note("arrived")
-        verdict.fail("the robot believes its mirrored pose and stands on the wrong mark")
-      end,
-    },
+  state "wrong" {
+    enter = function()
+      ground_truth.note("arrived")
+      verdict.fail("the robot believes its mirrored pose and stands on the wrong mark")
+    end,
   },
 
   state "failed" {

@@ -39,10 +39,10 @@ scenario "wrong_start" {
         when = ground_truth.is_belief_right, after = 1.0,
         lasting = "stay", because = "the belief is right again" },
     },
+  },
 
-    state "right" {
-      enter = function() verdict.succeed("the robot noticed that the initial pose was mirrored") end,
-    },
+  state "right" {
+    enter = function() verdict.succeed("the robot noticed that the initial pose was mirrored") end,
   },
 
   state "failed" {

@@ -32,6 +32,8 @@ test("succeeds when the robot stands on the right mark", function()
   set_belief(-3.2, 0, 0)
   advance(1)
   expect.verdict(true, "walked to the right mark")
+  advance(200)   -- a run that a viewer watches continues
+  expect.state("mirrored_placement", "right")
 end)
 
 test("fails when the robot stands on the wrong mark", function()
