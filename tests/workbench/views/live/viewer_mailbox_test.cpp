@@ -148,8 +148,10 @@ struct TestedReader {
     }
   }
   bool is_time(const Outgoing& message) {
-    if (message.type != WebSocketType::binary || message.own.front() != std::byte{2}) return false;
-    std::memcpy(&times.emplace_back(), message.own.data() + 1, sizeof times.back());
+    constexpr std::size_t kSize = 1 + sizeof(std::uint64_t);
+    if (message.type != WebSocketType::binary || message.own.size() != kSize || message.own[0] != std::byte{2})
+      return false;
+    std::memcpy(&times.emplace_back(), &message.own[1], sizeof times.back());
     return true;
   }
   void begin_to_answer() {
