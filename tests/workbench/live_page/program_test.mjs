@@ -285,7 +285,7 @@ test("a robot that is placed in a paused run is shown there until the next frame
   await page.getByText("Run paused").waitFor();
   const { here } = await pointToRobot();
   await page.mouse.down();
-  await page.mouse.move(here[0] + 30, here[1] + 30, { steps: 4 });
+  await page.mouse.move(here[0] + 30, here[1] - 30, { steps: 4 }); // toward the field
   await page.mouse.up();
   const pending = page.locator("[data-panel=field]").getByText("From the next frame on: x");
   await pending.waitFor();
@@ -303,12 +303,14 @@ test("a robot that is placed in a paused run is shown there until the next frame
 
 test("a robot that is dragged to its mirrored pose notices it", async () => {
   const flips = () => printed.filter((line) => line.includes("flip_pose granted (the mirrored pose won)")).length;
-  // The tests before have placed it elsewhere. Only a robot that is sure of its pose has one to flip.
+  // The tests before have placed it elsewhere. Only a robot that knows most of its room and is sure of its pose flips it.
   await setSpeed(20);
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector(".connection .value")?.textContent) > 90);
   await page.getByText("The robot is sure of its pose").waitFor();
-  await setSpeed(1);
+  await setSpeed(0.05); // so that the robot does not walk away from the pointer
   const before = flips();
   const { mirrored } = await pointToRobot();
+  await setSpeed(1); // so that the robot notices that it is carried
   await page.mouse.down();
   await page.mouse.move(...mirrored, { steps: 10 });
   await page.getByText("Mirrored pose: x").waitFor();
