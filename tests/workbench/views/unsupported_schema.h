@@ -31,7 +31,9 @@ std::string unsupported(const Json& schema, const std::string& where, bool is_it
   if (type != "object") return where + ": unsupported type in " + schema.dump();
   if (!schema.contains("properties")) return where + ": expected properties, found " + schema.dump();
   for (const auto& [name, property] : schema["properties"].items()) {
-    const std::string inner = unsupported<Json>(property, where + "." + name);
+    std::string path = where;
+    path.append(".").append(name);
+    std::string inner = unsupported<Json>(property, path);
     if (!inner.empty()) return inner;
   }
   return "";
