@@ -17,7 +17,7 @@ std::optional<int> KnownLines::at(const Eigen::Vector2d& place) const {
     if (along > -kExtension && along < segments[i].length + kExtension) return static_cast<int>(i);
   }
   const bool is_on_circle = circle && std::abs((place - circle->center).norm() - circle_radius) < half_width;
-  return is_on_circle ? std::optional(-1) : std::nullopt;
+  return is_on_circle ? std::optional(kCenterCircle) : std::nullopt;
 }
 
 }  // namespace reorient

@@ -14,12 +14,14 @@
 namespace reorient {
 
 struct KnownLines {
+  static constexpr int kCenterCircle = -1;
+
   std::span<const LineSegment> segments;
   std::optional<CenterCircle> circle;
   double circle_radius = 0.0;  ///< m
   double line_width = 0.0;     ///< m
 
-  /// The line that may be at a position (m, robot frame): its number, or -1 for the center circle. Empty if no
+  /// The line that may be at a position (m, robot frame): its number, or kCenterCircle. Empty if no
   /// line is there. Includes a margin, and a piece beyond the known ends.
   std::optional<int> at(const Eigen::Vector2d& place) const;
 };

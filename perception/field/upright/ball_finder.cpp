@@ -91,7 +91,7 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   if (carpet < kLeastCarpet || open < kLeastOpen) return 0.0;
   // The dark patches of a ball can have the tint of dark carpet.
   const double dark = kDark * luma / carpet;
-  const bool is_on_circle = behind == -1;
+  const bool is_on_circle = behind == KnownLines::kCenterCircle;
   int carpet_inside = 0, sure = 0, off_circle = 0;
   for (const double radius : {kOuter, kInner}) {
     for (int i = 0; i < kPlaces; ++i) {
