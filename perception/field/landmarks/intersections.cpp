@@ -71,8 +71,15 @@ Intersections::Stripe Intersections::arm_at(const Frame& frame, const Vector2d& 
   return not_there >= kPlaces - 1 ? Stripe::not_there : Stripe::hidden;
 }
 
+/// Whether an arc connects the two lines, which go on behind it.
 bool Intersections::has_corner_arc(const Frame& frame, const Vector2d& corner, double direction) const {
   if (field_.corner_arc_radius <= 0.0) return false;
+  constexpr double kBehind = 1.3;  // multiple of the radius
+  for (const double side : {-0.25 * kPi, 0.25 * kPi}) {
+    const Vector2d line = unit_vector(direction + side);
+    if (stripe_at(frame, corner + kBehind * field_.corner_arc_radius * line, left_of(line)) == Stripe::not_there)
+      return false;
+  }
   constexpr int kPlaces = 5, kMiddle = 2;
   int there = 0;
   for (int i = 0; i < kPlaces; ++i) {
@@ -160,13 +167,22 @@ std::optional<Intersection> Intersections::at_end(const Frame& frame, const Vect
   return at(frame, corner, IntersectionKind::l, direction_of((left == Stripe::there ? across : -across) - out));
 }
 
-/// Straight lines never cross on a field.
-void Intersections::add(const std::optional<Intersection>& found, FieldPercept& percept) {
+/// Straight lines never cross on a field. The arc at a corner of the field meets lines and bends, where no intersection
+/// is.
+void Intersections::add(const std::optional<Intersection>& found, FieldPercept& percept) const {
+  constexpr double kOnArc = 0.12;  // m
+  const auto is_on_arc = [this](const Intersection& one, const Intersection& corner) {
+    return corner.corner_arc && !one.corner_arc &&
+           std::abs((one.position - corner.position).norm() - field_.corner_arc_radius) < kOnArc;
+  };
   if (!found || found->kind == IntersectionKind::x || percept.intersections.size() >= kMostIntersections) return;
   const bool is_known =
-      std::any_of(percept.intersections.begin(), percept.intersections.end(),
-                  [&](const Intersection& one) { return (one.position - found->position).norm() < kSamePlace; });
-  if (!is_known) percept.intersections.push_back(*found);
+      std::any_of(percept.intersections.begin(), percept.intersections.end(), [&](const Intersection& one) {
+        return (one.position - found->position).norm() < kSamePlace || is_on_arc(*found, one);
+      });
+  if (is_known) return;
+  std::erase_if(percept.intersections, [&](const Intersection& one) { return is_on_arc(one, *found); });
+  percept.intersections.push_back(*found);
 }
 
 void Intersections::find(const FieldImage& seen, std::span<const LineSegment> segments, FieldPercept& percept) const {

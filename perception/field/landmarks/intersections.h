@@ -37,7 +37,7 @@ class Intersections {
   bool has_corner_arc(const Frame& frame, const Eigen::Vector2d& corner, double direction) const;
   std::optional<Intersection> meet(const Frame& frame, const LineSegment& a, const LineSegment& b) const;
   std::optional<Intersection> at_end(const Frame& frame, const Eigen::Vector2d& end, const Eigen::Vector2d& out) const;
-  static void add(const std::optional<Intersection>& found, FieldPercept& percept);
+  void add(const std::optional<Intersection>& found, FieldPercept& percept) const;
   void add_circle(const Frame& frame, FieldPercept& percept) const;
   Intersection at(const Frame& frame, const Eigen::Vector2d& position, IntersectionKind kind, double direction) const;
 

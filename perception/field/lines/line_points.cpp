@@ -17,6 +17,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t kMostCandidates = 600;
+constexpr int kFarthestReach = 4;  // pixels
 
 /// `step` (pixels between scan lines), limited to the widest even number of pixels (at least 2) that spans at most
 /// `widest` (rad) with this lens.
@@ -25,19 +26,19 @@ int limited_step(const GroundProjection& view, int step, double widest) {
   return step <= most ? step : std::max(static_cast<int>(most) & ~1, 2);
 }
 
-/// Sums of products of the slopes of luma over a window of 5 x 5 pixels. Their main direction is perpendicular to the
-/// edges in it.
+/// Sums of products of the slopes of luma at 5 x 5 pixels. Their main direction is perpendicular to the edges there.
 struct StructureTensor {
   double xx = 0.0, xy = 0.0, yy = 0.0;
 
-  void add(const ImageView& image, const Vector2d& center) {
-    constexpr int kReach = 2;
-    const int x0 = std::clamp(static_cast<int>(std::lround(center.x())), kReach + 1, image.width - kReach - 2);
-    const int y0 = std::clamp(static_cast<int>(std::lround(center.y())), kReach + 1, image.height - kReach - 2);
-    for (int y = y0 - kReach; y <= y0 + kReach; ++y) {
-      for (int x = x0 - kReach; x <= x0 + kReach; ++x) {
-        const double dx = image.luma(x + 1, y) - image.luma(x - 1, y);
-        const double dy = image.luma(x, y + 1) - image.luma(x, y - 1);
+  /// `step`: pixels between neighbors.
+  void add(const ImageView& image, const Vector2d& center, int step) {
+    const int reach = 2 * step, margin = reach + step;
+    const int x0 = std::clamp(static_cast<int>(std::lround(center.x())), margin, image.width - margin - 1);
+    const int y0 = std::clamp(static_cast<int>(std::lround(center.y())), margin, image.height - margin - 1);
+    for (int y = y0 - reach; y <= y0 + reach; y += step) {
+      for (int x = x0 - reach; x <= x0 + reach; x += step) {
+        const double dx = image.luma(x + step, y) - image.luma(x - step, y);
+        const double dy = image.luma(x, y + step) - image.luma(x, y - step);
         xx += dx * dx;
         xy += dx * dy;
         yy += dy * dy;
@@ -56,6 +57,14 @@ struct StructureTensor {
     return sum > 0.0 ? pinned::hypot(xx - yy, 2.0 * xy) / sum : 0.0;
   }
 };
+
+/// Distance (pixels) from an edge of a stripe with this width (pixels) at which its slope is measured. A rotating head
+/// blurs the edges of a wide, so near stripe over many pixels. Then noise is steeper than they are from one pixel to
+/// the next.
+int reach_for(double width) {
+  constexpr double kPart = 0.25;  // of the width, so that its two edges remain apart
+  return std::clamp(static_cast<int>(kPart * width), 1, kFarthestReach);
+}
 
 /// Pixels over which the image of an edge is blurred.
 double blur_of(const ImageView& image) { return 1.0 + image.width / 320.0; }
@@ -121,7 +130,7 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
 }
 
 void LinePoints::find(const ImageView& image, const GroundProjection& view, CarpetColor& color, FieldPercept& percept) {
-  constexpr int kSmallest = 16;  // pixels; smaller images have no room for a line and carpet on both sides
+  constexpr int kSmallest = 8 * kFarthestReach;  // pixels; smaller images have no room for a line and both of its sides
   candidates_.clear();
   lone_.clear();
   colors_.clear();
@@ -162,13 +171,13 @@ void LinePoints::scan_columns(const Frame& frame) {
     const std::uint8_t* pair = frame.image.data + static_cast<std::ptrdiff_t>(top) * frame.image.stride + 2 * x;
     for (int y = top; y < bottom; ++y, pair += frame.image.stride)
       luma_.push_back(static_cast<std::int16_t>(pair[0] + pair[2]));
-    search(frame, {x + 0.5, top}, {0.0, 1.0});
+    search(frame, {x + 0.5, top}, {0.0, 1.0}, 1);
   }
 }
 
 /// Scans across the image in rows that are evenly spaced on the ground, but at least some pixels apart.
 void LinePoints::scan_rows(const Frame& frame) {
-  const double spacing = 3.0 * parameters_.line_spacing;
+  const double spacing = 2.0 * parameters_.line_spacing;
   constexpr double kWidestStep = 0.008;  // rad
   const int least_step = limited_step(frame.view, std::max(2, frame.image.height / 120), kWidestStep);
   const float highest = *std::min_element(frame.percept.boundary.begin(), frame.percept.boundary.end());
@@ -187,21 +196,23 @@ void LinePoints::scan_rows(const Frame& frame) {
     const std::uint8_t* upper = frame.image.row(y);
     const std::uint8_t* lower = frame.image.row(y + 1);
     for (int x = 0; x < frame.image.width; ++x) luma_.push_back(static_cast<std::int16_t>(upper[2 * x] + lower[2 * x]));
-    search(frame, {0.0, y + 0.5}, {1.0, 0.0});
+    const double line_width = field_.line_width * frame.view.camera().focal.x() / std::max(distance, 0.01);  // pixels
+    search(frame, {0.0, y + 0.5}, {1.0, 0.0}, reach_for(line_width));
   }
 }
 
 /// Finds stripes along the scan line in `luma_`, whose first value is at `start`.
-void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2d& step) {
+void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2d& step, int reach) {
   const double noise = parameters_.noise_factor * frame.color.noise();
   const int slope = static_cast<int>(2.0 * std::max(0.6 * parameters_.line_contrast, noise));
   const int contrast = static_cast<int>(2.0 * std::max(parameters_.line_contrast, noise));
-  find_bright_segments(luma_, slope, contrast, 0.25 * frame.image.width, segments_);
+  find_bright_segments(luma_, {slope, reach, contrast, 0.25 * frame.image.width}, segments_);
   for (const BrightSegment& segment : segments_) {
     if (candidates_.size() >= kMostCandidates) return;
     const Vector2d begin = start + segment.begin * step;
     const Vector2d end = start + segment.end * step;
     Candidate candidate;
+    candidate.reach = reach;
     candidate.color.contrast = 0.5 * segment.contrast;  // luma is a sum of two pixels
     const Side before{begin, start + (segment.before - 1) * step}, after{end, start + (segment.after + 1) * step};
     if (lies_on_carpet(frame, before, after, candidate)) consider(frame, begin, end, candidate);
@@ -233,7 +244,7 @@ bool LinePoints::lies_on_carpet(const Frame& frame, const Side& before, const Si
 Surface LinePoints::mean_surface(const Frame& frame, const Side& side, const Vector2d& center) {
   const double close = blur_of(frame.image) - 1.0;  // pixels
   StructureTensor edges;
-  edges.add(frame.image, center);
+  edges.add(frame.image, center, 1);
   const Vector2d tangent = edges.tangent(), out = side.outside - side.edge;
   const double distance = out.norm();
   const Surface surface = mean_surface_along(frame.image, frame.color, side.outside, tangent);
@@ -260,8 +271,8 @@ void LinePoints::consider(const Frame& frame, const Vector2d& begin, const Vecto
   };
 
   StructureTensor at_begin, at_end;
-  at_begin.add(frame.image, begin);
-  at_end.add(frame.image, end);
+  at_begin.add(frame.image, begin, candidate.reach);
+  at_end.add(frame.image, end, candidate.reach);
   constexpr double kParallel = 0.85;  // cosine
   if ((end - begin).norm() > 6.0 && std::abs(at_begin.tangent().dot(at_end.tangent())) < kParallel) return is_no_line();
   const StructureTensor both{at_begin.xx + at_end.xx, at_begin.xy + at_end.xy, at_begin.yy + at_end.yy};
@@ -302,7 +313,7 @@ void LinePoints::keep_supported(FieldPercept& percept) {
       const Vector2d offset = other.position - candidate.position;
       if (std::abs(offset.x()) > reach || std::abs(offset.y()) > reach) continue;
       const Vector2d chord = other.pixel - candidate.pixel;
-      if (std::abs(cross(chord, candidate.tangent)) > 1.0 + kSlant * chord.norm()) continue;
+      if (std::abs(cross(chord, candidate.tangent)) > candidate.reach + kSlant * chord.norm()) continue;
       if (std::abs(candidate.tangent.dot(other.tangent)) < kParallel) continue;
       const double along = -offset.x() * candidate.normal.y() + offset.y() * candidate.normal.x();
       least = std::min(least, along);

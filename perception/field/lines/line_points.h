@@ -39,6 +39,7 @@ class LinePoints {
     Eigen::Vector2d tangent;  ///< unit vector in the image, from the gradient
     Eigen::Vector2d normal;   ///< unit vector on the ground, from the gradient
     double distance = 0.0;    ///< m
+    int reach = 1;            ///< pixels from an edge to the values that show its slope
     StripeColor color;
   };
   /// Image, geometry and color of the frame that find() works on.
@@ -57,7 +58,7 @@ class LinePoints {
 
   void scan_columns(const Frame& frame);
   void scan_rows(const Frame& frame);
-  void search(const Frame& frame, const Eigen::Vector2d& start, const Eigen::Vector2d& step);
+  void search(const Frame& frame, const Eigen::Vector2d& start, const Eigen::Vector2d& step, int reach);
   bool lies_on_carpet(const Frame& frame, const Side& before, const Side& after, Candidate& candidate) const;
   static Surface mean_surface(const Frame& frame, const Side& side, const Eigen::Vector2d& center);
   void consider(const Frame& frame, const Eigen::Vector2d& begin, const Eigen::Vector2d& end, Candidate& candidate);

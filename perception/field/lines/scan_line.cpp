@@ -14,12 +14,12 @@ struct Edge {
 
 /// The run of slopes with one sign that starts at `first`.
 template <typename Steep>
-Edge follow_edge(std::span<const std::int16_t> luma, std::size_t first, Steep&& is_steep) {
+Edge follow_edge(std::span<const std::int16_t> luma, std::size_t first, std::size_t reach, Steep&& is_steep) {
   double weight = 0.0;
   double moment = 0.0;
   std::size_t i = first;
-  for (; i + 1 < luma.size(); ++i) {
-    const int slope = luma[i + 1] - luma[i - 1];
+  for (; i + reach < luma.size(); ++i) {
+    const int slope = luma[i + reach] - luma[i - reach];
     if (!is_steep(slope)) break;
     weight += slope;
     moment += static_cast<double>(slope) * static_cast<double>(i);
@@ -29,24 +29,26 @@ Edge follow_edge(std::span<const std::int16_t> luma, std::size_t first, Steep&& 
 
 }  // namespace
 
-void find_bright_segments(std::span<const std::int16_t> luma, int least_slope, int least_contrast, double most_length,
+void find_bright_segments(std::span<const std::int16_t> luma, const SegmentLimits& limits,
                           std::vector<BrightSegment>& segments) {
+  const auto reach = static_cast<std::size_t>(limits.reach);
   segments.clear();
   Edge rise;
-  for (std::size_t i = 1; i + 1 < luma.size();) {
-    const int slope = luma[i + 1] - luma[i - 1];
-    if (slope >= least_slope) {
-      rise = follow_edge(luma, i, [&](int s) { return s >= least_slope; });
+  for (std::size_t i = reach; i + reach < luma.size();) {
+    const int slope = luma[i + reach] - luma[i - reach];
+    if (slope >= limits.slope) {
+      rise = follow_edge(luma, i, reach, [&](int s) { return s >= limits.slope; });
       i = static_cast<std::size_t>(rise.after);
-    } else if (slope <= -least_slope) {
-      const Edge fall = follow_edge(luma, i, [&](int s) { return s <= -least_slope; });
+    } else if (slope <= -limits.slope) {
+      const Edge fall = follow_edge(luma, i, reach, [&](int s) { return s <= -limits.slope; });
       i = static_cast<std::size_t>(fall.after);
       if (rise.before < 0) continue;
-      if (fall.place - rise.place <= most_length) {
+      if (fall.place - rise.place <= limits.length) {
         const int top = *std::max_element(luma.begin() + rise.before, luma.begin() + fall.after + 1);
         const int contrast =
             top - std::max(luma[static_cast<std::size_t>(rise.before)], luma[static_cast<std::size_t>(fall.after)]);
-        if (contrast >= least_contrast) segments.push_back({rise.place, fall.place, rise.before, fall.after, contrast});
+        if (contrast >= limits.contrast)
+          segments.push_back({rise.place, fall.place, rise.before, fall.after, contrast});
       }
       rise = {};
     } else {

@@ -17,10 +17,16 @@ struct BrightSegment {
   int contrast = 0;  ///< its greatest value minus the greater one of the values on both sides
 };
 
-/// Finds segments between a rise and the next fall. An edge is a run of values whose slope over two steps is above
-/// `least_slope`. Its position is the run's center of gravity. Segments are shorter than `most_length` and have at
-/// least `least_contrast`.
-void find_bright_segments(std::span<const std::int16_t> luma, int least_slope, int least_contrast, double most_length,
+struct SegmentLimits {
+  int slope = 1;        ///< smallest difference, at an edge, between the values on both sides
+  int reach = 1;        ///< distance of these two values from the edge; a blurred edge needs a larger one
+  int contrast = 1;     ///< smallest value
+  double length = 1.0;  ///< largest value
+};
+
+/// Finds segments between a rise and the next fall. An edge is a run of places with at least the limit's slope. Its
+/// position is the run's center of gravity.
+void find_bright_segments(std::span<const std::int16_t> luma, const SegmentLimits& limits,
                           std::vector<BrightSegment>& segments);
 
 }  // namespace reorient

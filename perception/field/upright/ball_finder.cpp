@@ -15,6 +15,16 @@ using Eigen::Vector2d;
 
 constexpr int kPlaces = 16;  // positions around a ball
 
+/// Whether a line is in view inside of this circle. A ball hides the line behind it; a line that leads away from a
+/// rotating camera is blurred to the width of a ball.
+bool shows_line(const FieldPercept& percept, const Vector2d& center, double radius) {
+  constexpr double kInside = 0.9;  // multiple of the radius
+  const double reach = kInside * radius;
+  return std::any_of(percept.line_points.begin(), percept.line_points.end(), [&](const LinePoint& point) {
+    return (point.pixel.cast<double>() - center).squaredNorm() < reach * reach;
+  });
+}
+
 }  // namespace
 
 BallFinder::BallFinder(const FieldFeatureParameters& parameters, const FieldDimensions& field)
@@ -147,7 +157,9 @@ std::optional<Ball> BallFinder::find(const FieldImage& seen, const CarpetMap& ma
             Circle moved{center + kStep * radius * Vector2d(i, j), radius, 0.0};
             moved.likeness = likeness(frame, moved);
             // A foot or a hand of a robot is round and white, too.
-            if (moved.likeness > best.likeness && !hides(percept, moved.center)) best = moved;
+            if (moved.likeness > best.likeness && !hides(percept, moved.center) &&
+                !shows_line(percept, moved.center, radius))
+              best = moved;
           }
         }
       }

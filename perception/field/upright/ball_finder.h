@@ -20,8 +20,8 @@ class BallFinder {
   BallFinder(const FieldFeatureParameters& parameters, const FieldDimensions& field);
   void set_parameters(const FieldFeatureParameters& parameters) { parameters_ = parameters; }
 
-  /// The object most similar to a ball. Reads the percept's boundary, obstacles and posts. `lines`: those that may pass
-  /// behind the ball.
+  /// The object most similar to a ball. Reads the percept's boundary, obstacles, posts and line points. `lines`: those
+  /// that may pass behind the ball.
   std::optional<Ball> find(const FieldImage& seen, const CarpetMap& map, const KnownLines& lines,
                            const FieldPercept& percept) const;
 

@@ -64,7 +64,9 @@ void GoalPosts::scan(const FieldImage& frame, double fraction, FieldPercept& per
     luma_[i] = static_cast<std::int16_t>(sum);
   }
   const int contrast = static_cast<int>(6.0 * std::max(parameters_.post_contrast, 2.0 * frame.color.noise()));
-  find_bright_segments(luma_, contrast / 2, contrast, 0.25 * static_cast<double>(luma_.size()), segments_);
+  const SegmentLimits limits{
+      .slope = contrast / 2, .contrast = contrast, .length = 0.25 * static_cast<double>(luma_.size())};
+  find_bright_segments(luma_, limits, segments_);
   for (const BrightSegment& segment : segments_) {
     const double x = step * 0.5 * (segment.begin + segment.end) + 0.5 * (step - 1);
     consider(frame, {x, static_cast<double>(row_of(x))}, step * (segment.end - segment.begin), percept);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "perception/field/field_features.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "tests/perception/field/filled_image.h"
 #include "tests/perception/field/stand.h"
+#include "tests/perception/field/turning_head.h"
 
 namespace reorient {
 namespace {
@@ -190,6 +192,17 @@ TEST(FieldFeatures, SeeLinesWhileTheTorsoSways) {
     EXPECT_GE(percept.line_points.size(), 10u);
     expect_line_points_on_lines(percept, scene, here);
   }
+}
+
+TEST(FieldFeatures, SeeNearLinesThatLeadAwayWhileTheHeadTurns) {
+  const FlatField scene;
+  const Stand here(640, 480, {-0.45, 1.2, 0.5 * kPi}, {0.0, 0.3});  // the halfway line leads away on the right
+  FieldFeatures features({}, scene.field);
+  const Image image = seen_while_turning(here.see(scene), 16, 8.0);
+  const FieldPercept percept = percept_in(features, image.view(), here.camera, here.robot_from_camera);
+  expect_line_points_on_lines(percept, scene, here);
+  const auto leads_away = [](const LinePoint& point) { return std::abs(std::sin(point.normal)) > 0.9; };
+  EXPECT_GE(std::count_if(percept.line_points.begin(), percept.line_points.end(), leads_away), 8);
 }
 
 TEST(FieldFeatures, SeeNothingFromTheGround) {

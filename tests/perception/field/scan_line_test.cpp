@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "perception/field/lines/scan_line.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "geometry/head.h"
+#include "geometry/random.h"
 #include "perception/field/ground_projection.h"
 
 namespace reorient {
@@ -17,11 +20,12 @@ std::vector<std::int16_t> stripe(int length, int begin, int end, std::int16_t da
 }
 
 RC_GTEST_PROP(ScanLine, FindsAStripeBetweenItsEdges, ()) {
-  const int begin = *rc::gen::inRange(3, 40);
-  const int width = *rc::gen::inRange(2, 40);
+  const int reach = *rc::gen::inRange(1, 5);
+  const int begin = *rc::gen::inRange(3 * reach, 40);
+  const int width = *rc::gen::inRange(2 * reach, 40);
   const auto luma = stripe(100, begin, begin + width, 100, 300);
   std::vector<BrightSegment> segments;
-  find_bright_segments(luma, 20, 40, 60.0, segments);
+  find_bright_segments(luma, {20, reach, 40, 60.0}, segments);
   RC_ASSERT(segments.size() == 1u);
   RC_ASSERT(std::abs(segments[0].begin - (begin - 0.5)) < 1e-9);
   RC_ASSERT(std::abs(segments[0].end - (begin + width - 0.5)) < 1e-9);
@@ -32,20 +36,39 @@ RC_GTEST_PROP(ScanLine, FindsAStripeBetweenItsEdges, ()) {
 
 TEST(ScanLine, SkipsStripesThatAreTooLongTooFaintOrTruncated) {
   std::vector<BrightSegment> segments;
-  find_bright_segments(stripe(100, 20, 60, 100, 300), 20, 40, 30.0, segments);
+  find_bright_segments(stripe(100, 20, 60, 100, 300), {20, 1, 40, 30.0}, segments);
   EXPECT_TRUE(segments.empty());
-  find_bright_segments(stripe(100, 20, 30, 100, 130), 20, 40, 30.0, segments);
+  find_bright_segments(stripe(100, 20, 30, 100, 130), {20, 1, 40, 30.0}, segments);
   EXPECT_TRUE(segments.empty());
-  find_bright_segments(stripe(100, 90, 100, 100, 300), 20, 40, 30.0, segments);
+  find_bright_segments(stripe(100, 90, 100, 100, 300), {20, 1, 40, 30.0}, segments);
   EXPECT_TRUE(segments.empty());
-  find_bright_segments(stripe(100, 0, 10, 100, 300), 20, 40, 30.0, segments);
+  find_bright_segments(stripe(100, 0, 10, 100, 300), {20, 1, 40, 30.0}, segments);
+  EXPECT_TRUE(segments.empty());
+}
+
+TEST(ScanLine, FindsABlurredStripeInNoiseWithAWiderReach) {
+  constexpr int kWidth = 40, kBlur = 20, kBegin = 30;
+  Random random(1);
+  std::vector<std::int16_t> luma;
+  for (int i = 0; i < 100; ++i) {
+    const double in = std::clamp(std::min(i - kBegin, kBegin + kWidth - i) / double{kBlur} + 0.5, 0.0, 1.0);
+    luma.push_back(static_cast<std::int16_t>(100.0 + 120.0 * in + random.uniform(-6.0, 6.0)));
+  }
+  std::vector<BrightSegment> segments;
+  find_bright_segments(luma, {24, 4, 60, 60.0}, segments);
+  ASSERT_EQ(segments.size(), 1u);
+  EXPECT_NEAR(segments[0].begin, kBegin, 3.0);
+  EXPECT_NEAR(segments[0].end, kBegin + kWidth, 3.0);
+  find_bright_segments(luma, {24, 1, 60, 60.0}, segments);
   EXPECT_TRUE(segments.empty());
 }
 
 TEST(ScanLine, FindsNothingInAShortLine) {
   std::vector<BrightSegment> segments;
-  for (int length = 0; length < 4; ++length) {
-    find_bright_segments(stripe(length, 0, length, 0, 500), 1, 1, 10.0, segments);
+  for (int length = 0; length < 8; ++length) {
+    find_bright_segments(stripe(length, 0, length, 0, 500), {1, 1, 1, 10.0}, segments);
+    EXPECT_TRUE(segments.empty());
+    find_bright_segments(stripe(length, 0, length, 0, 500), {1, 4, 1, 10.0}, segments);
     EXPECT_TRUE(segments.empty());
   }
 }
