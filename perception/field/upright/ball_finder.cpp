@@ -71,6 +71,10 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
     if (!pixel) return std::nullopt;
     return Seen{frame.surface(*pixel), frame.at(*pixel).y};
   };
+  const auto line_at = [&](const Vector2d& where) -> std::optional<int> {
+    const auto place = frame.view.ground(where);
+    return place ? frame.lines.at(*place) : std::nullopt;
+  };
   int bare = 0;  // most other objects are rejected here
   for (int i = 0; i < kPlaces; i += kPlaces / 4) {
     const auto seen = seen_at(pixel_at(kInner * circle.radius, i));
@@ -82,13 +86,12 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
   for (int i = 0; i < kPlaces; ++i) {
     const Vector2d pixel = pixel_at(kBeyond * circle.radius + kBlur, i);
     const auto seen = seen_at(pixel);
-    const auto place = frame.view.ground(pixel);
-    if (!seen || !place) return 0.0;
+    if (!seen) return 0.0;
     if (seen->surface == Surface::carpet) {
       ++carpet;
       ++open;
       luma += seen->luma;
-    } else if (const auto line = frame.lines.at(*place); line && (!behind || *behind == *line)) {
+    } else if (const auto line = line_at(pixel); line && (!behind || *behind == *line)) {
       behind = line;
       ++open;
       in_row = last_on_line == i - 1 ? in_row + 1 : 1;
@@ -110,8 +113,7 @@ double BallFinder::likeness(const Frame& frame, const Circle& circle) const {
       if (seen->surface == Surface::carpet && seen->luma > dark && ++carpet_inside > kMostCarpetInside) return 0.0;
       sure += seen->surface == Surface::other ? 1 : 0;
       if (!is_on_circle) continue;
-      const auto place = frame.view.ground(pixel_at(radius * circle.radius, i));
-      off_circle += !place || frame.lines.at(*place) != behind ? 1 : 0;
+      off_circle += line_at(pixel_at(radius * circle.radius, i)) != behind ? 1 : 0;
     }
   }
   if (sure < kLeastSure * kInside || (is_on_circle && off_circle < kLeastOffCircle * kInside)) return 0.0;
@@ -155,11 +157,9 @@ std::optional<Ball> BallFinder::find(const FieldImage& seen, const CarpetMap& ma
         for (int i = -2; i <= 2; ++i) {
           for (int j = -1; j <= 2; ++j) {
             Circle moved{center + kStep * radius * Vector2d(i, j), radius, 0.0};
+            if (hides(percept, moved.center)) continue;  // a foot or a hand of a robot is round and white, too
             moved.likeness = likeness(frame, moved);
-            // A foot or a hand of a robot is round and white, too.
-            if (moved.likeness > best.likeness && !hides(percept, moved.center) &&
-                !shows_line(percept, moved.center, radius))
-              best = moved;
+            if (moved.likeness > best.likeness && !shows_line(percept, moved.center, radius)) best = moved;
           }
         }
       }

@@ -107,11 +107,12 @@ bool GoalPosts::is_lighter_than_carpet(const FieldImage& frame, const Ycbcr& loo
 }
 
 bool GoalPosts::has_post_color(const FieldImage& frame, const Candidate& candidate, const Vector2d& pixel) const {
-  const Ycbcr seen = frame.at(pixel_of(pixel));
+  const Eigen::Vector2i place = pixel_of(pixel);
+  const Ycbcr seen = frame.at(place);
   const Ycbcr& look = candidate.look;
   const double bright = std::max<double>(seen.y, look.y);
   return std::abs(seen.y - look.y) < 8.0 + 0.25 * look.y && chroma_distance(seen, look) < 6.0 + 0.08 * bright &&
-         frame.surface(pixel_of(pixel)) != Surface::carpet;
+         frame.color.surface(place.x(), place.y(), seen) != Surface::carpet;
 }
 
 /// The last pixel of the candidate's color, down (1) or up (-1) along the image of a vertical edge.
