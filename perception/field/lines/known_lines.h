@@ -21,8 +21,8 @@ struct KnownLines {
   double circle_radius = 0.0;  ///< m
   double line_width = 0.0;     ///< m
 
-  /// The line that may be at a position (m, robot frame): its number, or kCenterCircle. Empty if no
-  /// line is there. Includes a margin, and a piece beyond the known ends.
+  /// The line that may be at a position (m, robot frame): its number, or kCenterCircle. Empty if no line is
+  /// there. Includes a margin, and a piece beyond the known ends.
   std::optional<int> at(const Eigen::Vector2d& place) const;
 };
 
