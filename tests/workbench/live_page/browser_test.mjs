@@ -299,12 +299,12 @@ test("the key of a panel gives it the focus, so that Tab goes to its first contr
 });
 
 test("letters typed right after the key of the search are in its box, and replace the text in it", async () => {
-  await page.keyboard.press("8"); // a panel without a search
-  await page.keyboard.press("1");
+  await page.keyboard.press("7");
+  await page.locator("[data-panel=log] input[type=search]").waitFor();
   const box = page.locator("[data-panel=parameters] input[type=search]");
   await page.evaluate(() => {
     const press = (key) => document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
-    for (const key of "/hold") press(key); // before anything is drawn
+    for (const key of "81/hold") press(key); // before anything is drawn; the panel of 8 has no search
   });
   await until(() => document.activeElement.value === "hold");
   await page.locator(".parameter", { hasText: "orientation.hold_time" }).waitFor();

@@ -44,6 +44,7 @@ const TYPES = {
 };
 const STEP = 10; // ms
 const FRAME = 33_333_333n; // ns
+const SECOND = 1_000_000_000n; // ns
 const NANOSECONDS = 1e6; // in a millisecond
 
 /// The texts of the scripts below a folder, by name.
@@ -291,11 +292,12 @@ export class Robot {
     socket.send(Buffer.concat([head, data]));
   }
 
-  /// Sends the last world and the last states again, with the present time.
+  /// Sends the last world and the last states again, with the present time, and each second the last room.
   standStill() {
     if (this.now - (this.stoodAt ?? 0n) < FRAME) return;
+    const isNewSecond = this.now / SECOND !== (this.stoodAt ?? 0n) / SECOND;
     this.stoodAt = this.now;
-    for (const topic of ["/world", "/machines", "/conditions"]) {
+    for (const topic of ["/world", "/machines", "/conditions", ...(isNewSecond ? ["/room", "/wall"] : [])]) {
       const last = this.recording.messages.findLast((it) => this.topics.get(it.channel) === topic);
       if (!last) continue; // a recording of an earlier version
       const { channel, data } = last;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The keys of the page. Keys typed into a field are left alone, except Escape.
-import { openPanel } from "./layout.js";
+import { contentsOf, openPanel } from "./layout.js";
 import { runOneFrame, togglePause } from "./pace.jsx";
 import { panels } from "./panels/index.js";
 import { store, undoParameter } from "./robot.js";
@@ -31,38 +31,53 @@ function move(event, direction) {
 }
 
 let typed = null; // letters for a box that is not drawn yet; null: no box is about to get the focus
+let asked = 0; // number of the last element that shall get the focus; earlier ones no longer get it
 
-/// Focuses a box, now if it is drawn, else once it is. What is typed until then goes into the box.
-function focusBox(find, attempts = 10) {
-  const box = find();
-  if (box) {
-    box.focus();
-    box.select();
-    if (typed) {
+/// Calls `use` with the element that `find` returns, now if it is drawn, else once it is; null: it was never drawn.
+function whenDrawn(find, use) {
+  const mine = ++asked;
+  typed = null;
+  const look = (attempts) => {
+    if (mine !== asked) return;
+    const element = find();
+    if (element || attempts === 0) use(element);
+    else requestAnimationFrame(() => look(attempts - 1));
+  };
+  look(10);
+}
+
+/// Focuses a box. What is typed until it is drawn goes into it.
+function focusBox(find) {
+  let isFound = false;
+  whenDrawn(find, (box) => {
+    isFound = true;
+    box?.focus();
+    box?.select();
+    if (box && typed) {
       box.value = typed;
       box.dispatchEvent(new Event("input", { bubbles: true }));
     }
-  }
-  const isLater = !box && attempts > 0;
-  typed = isLater ? (typed ?? "") : null;
-  if (isLater) requestAnimationFrame(() => focusBox(find, attempts - 1));
+    typed = null;
+  });
+  if (!isFound) typed = "";
 }
 
 /// Opens a panel and gives it the focus, so that the next Tab goes to its first control.
 export function enterPanel(id) {
   openPanel(id);
-  const focus = (attempts) => {
-    const panel = document.querySelector(`[data-panel=${id}]`);
-    if (panel) panel.focus();
-    else if (attempts > 0) requestAnimationFrame(() => focus(attempts - 1));
-  };
-  focus(10);
+  whenDrawn(
+    () => document.querySelector(`[data-panel=${id}]`),
+    (panel) => panel?.focus(),
+  );
 }
 
 const SEARCH = "input[type=search]";
-/// The box for a search of the panel with the focus, else the first one.
-const searchBox = () =>
-  document.activeElement?.closest("[data-panel]")?.querySelector(SEARCH) ?? document.querySelector(SEARCH);
+/// The box for a search of the panel with the focus, else the first one. A panel that is about to be replaced has none.
+function searchBox() {
+  const areas = [document.activeElement?.closest("[data-panel]"), ...document.querySelectorAll("[data-panel]")];
+  const open = areas.filter((it) => it && contentsOf(it.dataset.area).open?.id === it.dataset.panel);
+  return open.map((it) => it.querySelector(SEARCH)).find((box) => box);
+}
 
 const AUDIENCE_KEYS = ["a", "t", "l", " ", "ArrowLeft", "ArrowRight"];
 
