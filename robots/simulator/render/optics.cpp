@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "geometry/pinned_math.h"
-#include "robots/simulator/render/wide.h"
+#include "geometry/wide.h"
 
 namespace reorient {
 namespace {

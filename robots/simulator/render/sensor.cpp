@@ -8,7 +8,7 @@
 
 #include "geometry/pinned_math.h"
 #include "geometry/random.h"
-#include "robots/simulator/render/wide.h"
+#include "geometry/wide.h"
 
 namespace reorient {
 namespace {

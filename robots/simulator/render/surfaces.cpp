@@ -7,7 +7,7 @@
 
 #include "geometry/pinned_math.h"
 #include "geometry/random.h"
-#include "robots/simulator/render/wide.h"
+#include "geometry/wide.h"
 #include "robots/simulator/room/texture_painter.h"
 
 namespace reorient {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/pinned_math.h"
-#include "robots/simulator/render/wide.h"
+#include "geometry/wide.h"
 
 namespace reorient {
 

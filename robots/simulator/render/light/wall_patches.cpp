@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/wide.h"
 #include "robots/simulator/render/coverage.h"
-#include "robots/simulator/render/wide.h"
 #include "robots/simulator/room/texture_painter.h"
 
 namespace reorient {

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/wide.h"
 #include "robots/simulator/render/coverage.h"
 #include "robots/simulator/render/scene/drawing.h"
 #include "robots/simulator/render/scene/shapes.h"
-#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {

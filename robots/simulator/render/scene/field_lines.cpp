@@ -8,8 +8,8 @@
 
 #include "geometry/field_landmarks.h"
 #include "geometry/random.h"
+#include "geometry/wide.h"
 #include "robots/simulator/render/coverage.h"
-#include "robots/simulator/render/wide.h"
 
 namespace reorient {
 namespace {
