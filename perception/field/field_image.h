@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -17,6 +16,9 @@
 
 namespace reorient {
 
+/// The nearest pixel's index. `place`: at least -0.5, pixels. std::lround is a function call on many processors.
+inline int nearest_index(double place) { return static_cast<int>(place + 0.5); }
+
 struct FieldImage {
   const ImageView& image;
   const GroundProjection& view;
@@ -25,9 +27,9 @@ struct FieldImage {
   /// The nearest pixel. Empty outside of the image.
   std::optional<Eigen::Vector2i> nearest(const Eigen::Vector2d& pixel) const {
     // Projected points may be too far outside for integers.
-    const double x = std::round(pixel.x()), y = std::round(pixel.y());
-    if (!(x >= 0.0 && y >= 0.0 && x < image.width && y < image.height)) return std::nullopt;
-    return Eigen::Vector2i(static_cast<int>(x), static_cast<int>(y));
+    if (!(pixel.x() > -0.5 && pixel.y() > -0.5 && pixel.x() < image.width - 0.5 && pixel.y() < image.height - 0.5))
+      return std::nullopt;
+    return Eigen::Vector2i(nearest_index(pixel.x()), nearest_index(pixel.y()));
   }
   /// The same at a position on the ground, m.
   std::optional<Eigen::Vector2i> nearest_to_ground(const Eigen::Vector2d& place) const {

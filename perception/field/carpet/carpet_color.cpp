@@ -42,6 +42,8 @@ CarpetColor::Terms CarpetColor::terms_at(double u, double v) {
 void CarpetColor::observe(const ImageView& image, const GroundProjection& view) {
   width_ = image.width;
   height_ = image.height;
+  columns_per_pixel_ = per_pixel(kColumns, width_);
+  rows_per_pixel_ = per_pixel(kRows, height_);
   collect(image, view);
   learn();
   if (known_) prepare_parts();

@@ -78,8 +78,8 @@ class CarpetColor {
   bool known() const { return known_; }
 
   // Parts of the last observed image.
-  int column_of(int x) const { return x * kColumns / width_; }
-  int row_of(int y) const { return y * kRows / height_; }
+  int column_of(int x) const { return quotient(x, columns_per_pixel_); }
+  int row_of(int y) const { return quotient(y, rows_per_pixel_); }
   const CarpetPart& part(int column, int row) const {
     return parts_[static_cast<std::size_t>(row * kColumns + column)];
   }
@@ -145,6 +145,16 @@ class CarpetColor {
     Eigen::Vector2d chroma = Eigen::Vector2d::Zero();  ///< mean chroma of these samples, (blue, red)
   };
 
+  // pixel * parts / pixels without a division, which is slow compared with the rest of a look at one pixel. Exact for
+  // up to 65536 pixels.
+  static std::uint64_t per_pixel(int parts, int pixels) {
+    return ((static_cast<std::uint64_t>(parts) << 32) + static_cast<std::uint64_t>(pixels) - 1) /
+           static_cast<std::uint64_t>(pixels);
+  }
+  static int quotient(int pixel, std::uint64_t parts_per_pixel) {
+    return static_cast<int>(static_cast<std::uint64_t>(pixel) * parts_per_pixel >> 32);
+  }
+
   void collect(const ImageView& image, const GroundProjection& view);
   static Terms terms_at(double u, double v);
   void learn();
@@ -161,7 +171,8 @@ class CarpetColor {
 
   FieldFeatureParameters parameters_;
   std::vector<Sample> samples_;
-  int width_ = 1, height_ = 1;  ///< of the last observed image
+  int width_ = 1, height_ = 1;                                ///< of the last observed image
+  std::uint64_t columns_per_pixel_ = 0, rows_per_pixel_ = 0;  ///< parts, in 1/2^32
   bool known_ = false;
   Learned learned_;
   int other_color_images_ = 0;  ///< consecutive images with another color

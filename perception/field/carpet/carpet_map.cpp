@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/wide.h"
+
 namespace reorient {
 
 void CarpetMap::fill(const ImageView& image, const CarpetColor& color, int first_row) {
@@ -12,7 +14,10 @@ void CarpetMap::fill(const ImageView& image, const CarpetColor& color, int first
   rows_ = (image.height + step_ - 1) / step_;
   first_ = std::clamp(first_row / step_, 0, rows_);
   std::array<int, kColumns> part_columns{};
-  for (int i = 0; i < kColumns; ++i) part_columns[static_cast<std::size_t>(i)] = color.column_of(column_pixel(i));
+  for (int i = 0; i < kColumns; ++i) {
+    part_columns[static_cast<std::size_t>(i)] = color.column_of(column_pixel(i));
+    pairs_[static_cast<std::size_t>(i)] = 4 * (column_pixel(i) / 2);
+  }
   for (int top = first_; top < rows_;) {
     int bottom = top + 1;
     const int part_row = color.row_of(top * step_);
@@ -29,7 +34,7 @@ void CarpetMap::fill(const ImageView& image, const CarpetColor& color, int first
 }
 
 /// Processes the cells of one part. Each step handles all cells, so that the compiler can vectorize it.
-void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells& cells) {
+REORIENT_WIDE void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells& cells) {
   std::size_t count = 0;
   const auto each_cell = [&](auto&& with) {
     for (int j = cells.top; j < cells.bottom; ++j) {
@@ -37,7 +42,7 @@ void CarpetMap::fill(const ImageView& image, const CarpetPart& part, const Cells
     }
   };
   each_cell([&](int i, int j) {
-    const std::uint8_t* pair = image.row(j * step_) + 4 * (column_pixel(i) / 2);
+    const std::uint8_t* pair = image.row(j * step_) + pairs_[static_cast<std::size_t>(i)];
     y_[count] = (pair[0] + pair[2]) / 2;
     cb_[count] = pair[1];
     cr_[count++] = pair[3];

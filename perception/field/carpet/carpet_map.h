@@ -42,6 +42,7 @@ class CarpetMap {
   void fill(const ImageView& image, const CarpetPart& part, const Cells& cells);
 
   std::vector<Surface> cells_;
+  std::array<int, kColumns> pairs_{};  ///< bytes from the start of a row to the pair of pixels of a column
   std::array<int, kMostAtOnce> y_{}, cb_{}, cr_{}, found_{};
   int width_ = 0;
   int rows_ = 0;

@@ -9,6 +9,7 @@
 #include "geometry/pinned_math.h"
 #include "geometry/transform.h"
 #include "perception/field/carpet/boundary.h"
+#include "perception/field/field_image.h"
 #include "perception/field/lines/hiding.h"
 
 namespace reorient {
@@ -33,8 +34,8 @@ struct StructureTensor {
   /// `step`: pixels between neighbors.
   void add(const ImageView& image, const Vector2d& center, int step) {
     const int reach = 2 * step, margin = reach + step;
-    const int x0 = std::clamp(static_cast<int>(std::lround(center.x())), margin, image.width - margin - 1);
-    const int y0 = std::clamp(static_cast<int>(std::lround(center.y())), margin, image.height - margin - 1);
+    const int x0 = std::clamp(nearest_index(center.x()), margin, image.width - margin - 1);
+    const int y0 = std::clamp(nearest_index(center.y()), margin, image.height - margin - 1);
     for (int y = y0 - reach; y <= y0 + reach; y += step) {
       for (int x = x0 - reach; x <= x0 + reach; x += step) {
         const double dx = image.luma(x + step, y) - image.luma(x - step, y);
@@ -97,8 +98,8 @@ struct NearestPixel {
 Vector2d chroma_of(const Ycbcr& color) { return {color.cb - 128.0, color.cr - 128.0}; }
 
 NearestPixel nearest_pixel(const ImageView& image, const CarpetColor& color, const Vector2d& where) {
-  const int x = static_cast<int>(std::lround(std::clamp(where.x(), 0.0, image.width - 1.0)));
-  const int y = static_cast<int>(std::lround(std::clamp(where.y(), 0.0, image.height - 1.0)));
+  const int x = nearest_index(std::clamp(where.x(), 0.0, image.width - 1.0));
+  const int y = nearest_index(std::clamp(where.y(), 0.0, image.height - 1.0));
   return {image.at(x, y), color.at(x, y)};
 }
 
@@ -185,11 +186,12 @@ void LinePoints::scan_rows(const Frame& frame) {
   double reached = -spacing;
   int last = frame.image.height + least_step;
   for (int y = frame.image.height - 2; y > static_cast<int>(highest); --y) {
+    if (last - y < least_step) continue;
     const auto ground = frame.view.ground({middle, y + 0.5});
     if (!ground) break;
     const double distance = frame.view.distance(*ground);
     if (distance > parameters_.line_range) break;
-    if (distance < reached + spacing || last - y < least_step) continue;
+    if (distance < reached + spacing) continue;
     reached = distance;
     last = y;
     luma_.clear();

@@ -32,15 +32,16 @@ Edge follow_edge(std::span<const std::int16_t> luma, std::size_t first, std::siz
 void find_bright_segments(std::span<const std::int16_t> luma, const SegmentLimits& limits,
                           std::vector<BrightSegment>& segments) {
   const auto reach = static_cast<std::size_t>(limits.reach);
+  const int least = limits.slope;
   segments.clear();
   Edge rise;
   for (std::size_t i = reach; i + reach < luma.size();) {
     const int slope = luma[i + reach] - luma[i - reach];
-    if (slope >= limits.slope) {
-      rise = follow_edge(luma, i, reach, [&](int s) { return s >= limits.slope; });
+    if (slope >= least) {
+      rise = follow_edge(luma, i, reach, [=](int s) { return s >= least; });
       i = static_cast<std::size_t>(rise.after);
-    } else if (slope <= -limits.slope) {
-      const Edge fall = follow_edge(luma, i, reach, [&](int s) { return s <= -limits.slope; });
+    } else if (slope <= -least) {
+      const Edge fall = follow_edge(luma, i, reach, [=](int s) { return s <= -least; });
       i = static_cast<std::size_t>(fall.after);
       if (rise.before < 0) continue;
       if (fall.place - rise.place <= limits.length) {

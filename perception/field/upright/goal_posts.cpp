@@ -25,7 +25,7 @@ bool inside(const ImageView& image, const Vector2d& pixel) {
 }
 
 /// The color at a position inside of the image.
-Eigen::Vector2i pixel_of(const Vector2d& place) { return {std::lround(place.x()), std::lround(place.y())}; }
+Eigen::Vector2i pixel_of(const Vector2d& place) { return {nearest_index(place.x()), nearest_index(place.y())}; }
 
 }  // namespace
 
@@ -84,8 +84,10 @@ void GoalPosts::consider(const FieldImage& frame, const Vector2d& pixel, double 
     if (std::abs(known.base.x() - candidate.pixel.x()) < 1.5 * candidate.width + 4.0) return;
   }
   candidate.foot = follow(frame, candidate, 1);
-  candidate.top = follow(frame, candidate, -1);
   const bool cut_off = candidate.foot.y() >= frame.image.height - 2.0;
+  // Most bright objects stand behind the carpet. Their tops need not be found.
+  if (!cut_off && !has_carpet_before(frame, candidate, percept.boundary)) return;
+  candidate.top = follow(frame, candidate, -1);
   const auto post = cut_off ? post_without_foot(frame, candidate) : post_on_carpet(frame, candidate, percept.boundary);
   if (post) percept.goal_posts.push_back(*post);
 }
@@ -143,7 +145,7 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const FieldImage& frame, const
   const double radius = 0.5 * field_.goal_post_diameter;
   const double from_foot = frame.view.distance(*foot);
   const auto from_height = distance_from_height(frame, candidate, from_foot);
-  if (!stands_on_carpet(frame, candidate, from_height.value_or(from_foot), boundary)) return std::nullopt;
+  if (!has_carpet_behind(frame, candidate, from_height.value_or(from_foot), boundary)) return std::nullopt;
   const auto post_at = [&](double distance) {
     const Vector2d position = *foot + (distance - from_foot + radius) * frame.view.away(*foot);
     return GoalPost{position, true, candidate.foot.cast<float>(), candidate.top.cast<float>()};
@@ -167,15 +169,21 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const FieldImage& frame, const
   return outline_agrees(frame, candidate, upright_at(frame, post.position)) ? std::optional(post) : std::nullopt;
 }
 
-/// Requires carpet in front of the post, all the way to the robot, since a banner may be as green and its letters
-/// similar to posts. Also requires carpet behind it, since goal lines are not at the border of the carpet.
-bool GoalPosts::stands_on_carpet(const FieldImage& frame, const Candidate& candidate, double distance,
-                                 const std::vector<float>& boundary) const {
+/// Requires carpet behind the post, since goal lines are not at the border of the carpet.
+bool GoalPosts::has_carpet_behind(const FieldImage& frame, const Candidate& candidate, double distance,
+                                  const std::vector<float>& boundary) {
   constexpr double kInside = 0.25, kInsideFarAway = 0.1;  // m
   const double inside_by = distance > kFarAway ? kInsideFarAway : kInside;
   const double height = frame.view.camera_height();
   const double rows = frame.view.camera().focal.y() * height * inside_by / (square(distance) + square(height));
-  if (candidate.foot.y() < boundary_at(boundary, frame.image.width, candidate.foot.x()) + rows) return false;
+  return candidate.foot.y() >= boundary_at(boundary, frame.image.width, candidate.foot.x()) + rows;
+}
+
+/// Requires carpet in front of the post, all the way to the robot, since a banner may be as green and its letters
+/// similar to posts.
+bool GoalPosts::has_carpet_before(const FieldImage& frame, const Candidate& candidate,
+                                  const std::vector<float>& boundary) const {
+  if (candidate.foot.y() < boundary_at(boundary, frame.image.width, candidate.foot.x())) return false;
   constexpr double kBelow = 3.0;  // pixels, smallest value
   Vector2d below = candidate.foot + Vector2d(0.0, std::max(kBelow, 0.25 * candidate.width));
   below.y() = std::min(below.y(), frame.image.height - 1.0);

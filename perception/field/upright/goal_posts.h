@@ -47,8 +47,9 @@ class GoalPosts {
   std::optional<GoalPost> post_on_carpet(const FieldImage& frame, const Candidate& candidate,
                                          const std::vector<float>& boundary) const;
   std::optional<GoalPost> post_without_foot(const FieldImage& frame, const Candidate& candidate) const;
-  bool stands_on_carpet(const FieldImage& frame, const Candidate& candidate, double distance,
-                        const std::vector<float>& boundary) const;
+  bool has_carpet_before(const FieldImage& frame, const Candidate& candidate, const std::vector<float>& boundary) const;
+  static bool has_carpet_behind(const FieldImage& frame, const Candidate& candidate, double distance,
+                                const std::vector<float>& boundary);
   bool is_thick_enough(const FieldImage& frame, const Candidate& candidate, double distance) const;
   std::optional<double> distance_from_height(const FieldImage& frame, const Candidate& candidate,
                                              double from_foot) const;

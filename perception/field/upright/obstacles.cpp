@@ -36,6 +36,7 @@ void Obstacles::find(const CarpetMap& map, const GroundProjection& view, const K
   constexpr double kGap = 0.12;       // m of carpet between two legs
   percept.obstacles.clear();
   for (int i = 0; i < CarpetMap::kColumns; ++i) {
+    farthest_[static_cast<std::size_t>(i)] = farthest_in(map, view, percept, i);
     Foot& foot = feet_[static_cast<std::size_t>(i)];
     foot = foot_in(map, view, percept, i, map.rows() - 1, least_height);
     // Cells of a line below a foot are not carpet either. Search again above the line.
@@ -65,17 +66,24 @@ void Obstacles::find(const CarpetMap& map, const GroundProjection& view, const K
   if (last >= 0) add(map, view, first, last, percept);
 }
 
+/// The largest distance (m) of an obstacle in a column of the map. Negative: no obstacle can be there.
+double Obstacles::farthest_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept,
+                              int column) const {
+  constexpr double kInside = 0.4;  // m, smallest distance to the border of the carpet
+  const double x = map.column_pixel(column);
+  if (is_post(percept, x, map.column_width())) return -1.0;
+  const auto border = view.ground({x, static_cast<double>(percept.boundary[static_cast<std::size_t>(column)])});
+  return std::min(parameters_.obstacle_range, border ? view.distance(*border) - kInside : 1e9);
+}
+
 Obstacles::Foot Obstacles::foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept,
                                    int column, int first_row, double least_height) const {
-  constexpr double kInside = 0.4;               // m, smallest distance to the border of the carpet
   const double most_gap = 0.05 / least_height;  // carpet color that does not end an obstacle: noise, knees
   constexpr double kLeastFraction = 0.5;        // fraction of its cells that certainly are not carpet
   const double x = map.column_pixel(column);
   const double border = percept.boundary[static_cast<std::size_t>(column)];
-  if (is_post(percept, x, map.column_width())) return {};
-  const auto border_ground = view.ground({x, border});
-  const double farthest =
-      std::min(parameters_.obstacle_range, border_ground ? view.distance(*border_ground) - kInside : 1e9);
+  const double farthest = farthest_[static_cast<std::size_t>(column)];
+  if (farthest < 0.0) return {};
   int carpet = 0, other = 0, cells = 0;
   Foot foot;
   double head_row = 0.0;

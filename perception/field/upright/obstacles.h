@@ -28,6 +28,7 @@ class Obstacles {
     int row = -1;           ///< pixels, lowest row of the object; negative: no object
     double distance = 0.0;  ///< m
   };
+  double farthest_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int column) const;
   Foot foot_in(const CarpetMap& map, const GroundProjection& view, const FieldPercept& percept, int column,
                int first_row, double least_height) const;
   int above_line(const CarpetMap& map, const GroundProjection& view, const KnownLines& lines, int column,
@@ -37,6 +38,7 @@ class Obstacles {
   void add(const CarpetMap& map, const GroundProjection& view, int first, int last, FieldPercept& percept) const;
 
   FieldFeatureParameters parameters_;
+  std::array<double, CarpetMap::kColumns> farthest_{};  ///< of the image being searched, as farthest_in() returns
   std::array<Foot, CarpetMap::kColumns> feet_{};
 };
 
