@@ -43,8 +43,12 @@ test("the scenario is listed with its mark, with its graph, and in the timeline"
 });
 
 test("a page that is opened during a pause shows the last frame", async () => {
+  await page.locator(".pace").waitFor(); // the page knows that the run can be paused
   await page.keyboard.press("p");
-  await page.locator(".connection", { hasText: "Run paused" }).waitFor();
+  const paused = page.locator(".connection", { hasText: "Run paused" });
+  await paused.waitFor().catch(async ({ message }) => {
+    throw new Error(`${message}\nThe page shows:\n${await page.locator("body").innerText()}`);
+  });
   await page.close(); // so that the run has no viewer
   const late = await open();
   await late.locator(".connection", { hasText: "Run paused" }).waitFor();
