@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -17,7 +18,7 @@
 namespace reorient {
 
 /// The nearest pixel's index. `place`: at least -0.5, pixels. std::lround is a function call on many processors.
-inline int nearest_index(double place) { return static_cast<int>(place + 0.5); }
+inline int nearest_index(double place) { return static_cast<int>(std::floor(place + 0.5)); }
 
 struct FieldImage {
   const ImageView& image;
