@@ -180,7 +180,7 @@ bool GoalPosts::has_carpet_behind(const FieldImage& frame, const Candidate& cand
 }
 
 /// Requires carpet in front of the post, all the way to the robot, since a banner may be as green and its letters
-/// similar to posts.
+/// similar to posts. A foot beyond the border, which has_carpet_behind() would reject later, is rejected at once.
 bool GoalPosts::has_carpet_before(const FieldImage& frame, const Candidate& candidate,
                                   const std::vector<float>& boundary) const {
   if (candidate.foot.y() < boundary_at(boundary, frame.image.width, candidate.foot.x())) return false;

@@ -34,9 +34,10 @@ let typed = null; // letters for a box that is not drawn yet; null: no box is ab
 let asked = 0; // number of the last element that shall get the focus; earlier ones no longer get it
 
 /// Calls `use` with the element that `find` returns, now if it is drawn, else once it is; null: it was never drawn.
-function whenDrawn(find, use) {
+/// letters: "" to collect in `typed` what is typed until then.
+function whenDrawn(find, use, letters = null) {
   const mine = ++asked;
-  typed = null;
+  typed = letters;
   const look = (attempts) => {
     if (mine !== asked) return;
     const element = find();
@@ -48,18 +49,16 @@ function whenDrawn(find, use) {
 
 /// Focuses a box. What is typed until it is drawn goes into it.
 function focusBox(find) {
-  let isFound = false;
-  whenDrawn(find, (box) => {
-    isFound = true;
+  const fill = (box) => {
+    const letters = typed;
+    typed = null;
     box?.focus();
     box?.select();
-    if (box && typed) {
-      box.value = typed;
-      box.dispatchEvent(new Event("input", { bubbles: true }));
-    }
-    typed = null;
-  });
-  if (!isFound) typed = "";
+    if (!box || !letters) return;
+    box.value = letters;
+    box.dispatchEvent(new Event("input", { bubbles: true }));
+  };
+  whenDrawn(find, fill, "");
 }
 
 /// Opens a panel and gives it the focus, so that the next Tab goes to its first control.

@@ -17,8 +17,8 @@ onPlayback((state) => {
 });
 
 export const isPlaying = () => replay.status === "playing" || replay.status === "buffering";
-/// Whether this page may control the replay.
-export const canControl = () => link.state === "open" && isReplay() && !link.refusal;
+/// Whether this page may control the replay, and knows its state: before that, a key to pause would play.
+export const canControl = () => link.state === "open" && isReplay() && !link.refusal && replay.status !== "";
 
 const request = (values) => sendPlayback({ pauses: !isPlaying(), speed: replay.speed, ...values });
 export const setReplaySpeed = (speed) => request({ speed });
