@@ -43,12 +43,25 @@ TEST(Camera, ScaledDownHasTheSameFieldOfView) {
 
 RC_GTEST_PROP(Camera, ProjectsTheRayOfAPixelToThatPixel, ()) {
   CameraModel camera = nao_camera();
-  camera.k1 = *rc::gen::inRange(-100, 100) * 1e-3;
-  camera.k2 = *rc::gen::inRange(-20, 20) * 1e-3;
+  camera.k1 = *rc::gen::inRange(-250, 250) * 1e-3;
+  camera.k2 = *rc::gen::inRange(-50, 50) * 1e-3;
   const Eigen::Vector2d pixel(*rc::gen::inRange(0, 640), *rc::gen::inRange(0, 480));
   const auto again = camera.project(7.0 * camera.ray(pixel));
   RC_ASSERT(again.has_value());
-  RC_ASSERT((*again - pixel).norm() < 1e-3);
+  RC_ASSERT((*again - pixel).norm() < 1e-5);
+}
+
+TEST(Camera, HasFiniteRaysWhateverTheDistortion) {
+  for (const double k1 : {-1e300, -1e3, -0.9, 0.0, 0.9, 1e3, 1e300}) {
+    for (const double k2 : {-1e300, -0.9, 0.0, 0.9, 1e300}) {
+      CameraModel camera = nao_camera();
+      camera.k1 = k1;
+      camera.k2 = k2;
+      for (const Eigen::Vector2d& pixel :
+           {Eigen::Vector2d(319.5, 239.5), Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(639.0, 300.0)})
+        EXPECT_TRUE(camera.ray(pixel).allFinite()) << k1 << " " << k2;
+    }
+  }
 }
 
 }  // namespace

@@ -83,11 +83,11 @@ void GoalPosts::consider(const FieldImage& frame, const Vector2d& pixel, double 
   for (const GoalPost& known : percept.goal_posts) {
     if (std::abs(known.base.x() - candidate.pixel.x()) < 1.5 * candidate.width + 4.0) return;
   }
-  candidate.foot = follow(frame, candidate, 1);
+  candidate.foot = follow(frame, candidate, percept.boundary, 1);
   const bool cut_off = candidate.foot.y() >= frame.image.height - 2.0;
   // Most bright objects stand behind the carpet. Their tops need not be found.
   if (!cut_off && !has_carpet_before(frame, candidate, percept.boundary)) return;
-  candidate.top = follow(frame, candidate, -1);
+  candidate.top = follow(frame, candidate, percept.boundary, -1);
   const auto post = cut_off ? post_without_foot(frame, candidate) : post_on_carpet(frame, candidate, percept.boundary);
   if (post) percept.goal_posts.push_back(*post);
 }
@@ -117,16 +117,23 @@ bool GoalPosts::has_post_color(const FieldImage& frame, const Candidate& candida
          frame.color.surface(place.x(), place.y(), seen) != Surface::carpet;
 }
 
-/// The last pixel of the candidate's color, down (1) or up (-1) along the image of a vertical edge.
-Vector2d GoalPosts::follow(const FieldImage& frame, const Candidate& candidate, int direction) const {
-  constexpr int kGap = 2;   // pixels of another color that are skipped
-  constexpr int kBend = 8;  // rows after which the direction of the vertical edge is computed again
+/// The last pixel of the candidate's color, down (1) or up (-1), between the candidate's sides. While the head turns, a
+/// rolling shutter makes the image of a vertical edge lean. How much shows above the carpet's border, since on the
+/// carpet a line may continue the post.
+Vector2d GoalPosts::follow(const FieldImage& frame, const Candidate& candidate, const std::vector<float>& boundary,
+                           int direction) const {
+  constexpr int kGap = 2;          // pixels of another color that are skipped
+  constexpr int kBend = 8;         // rows after which the direction is corrected
+  constexpr double kWithin = 0.3;  // of the width, from the middle: still the post
+  constexpr double kShift = 0.1;   // of the width
+  constexpr double kMostLean = 0.25;
   double slant = frame.view.vertical_slant(candidate.pixel);
+  const Vector2d aside(kWithin * candidate.width, 0.0);
+  double lean = 0.0;  // pixels per row
   Vector2d last = candidate.pixel;
   int missing = 0;
   int row = 0;
-  for (Vector2d pixel = last; missing <= kGap; pixel += Vector2d(direction * slant, direction)) {
-    if (++row % kBend == 0 && !frame.view.camera().is_perspective()) slant = frame.view.vertical_slant(pixel);
+  for (Vector2d pixel = last; missing <= kGap; pixel += Vector2d(direction * (slant + lean), direction)) {
     if (!inside(frame.image, pixel)) break;
     if (has_post_color(frame, candidate, pixel)) {
       last = pixel;
@@ -134,6 +141,14 @@ Vector2d GoalPosts::follow(const FieldImage& frame, const Candidate& candidate, 
     } else {
       ++missing;
     }
+    if (++row % kBend != 0) continue;
+    if (!frame.view.camera().is_perspective()) slant = frame.view.vertical_slant(pixel);
+    if (pixel.y() > boundary_at(boundary, frame.image.width, pixel.x())) continue;
+    if (!inside(frame.image, pixel - aside) || !inside(frame.image, pixel + aside)) continue;
+    const int right = has_post_color(frame, candidate, pixel + aside) ? 1 : 0;
+    const int left = has_post_color(frame, candidate, pixel - aside) ? 1 : 0;
+    pixel.x() += (right - left) * kShift * candidate.width;
+    lean = std::clamp(lean + direction * (right - left) * 0.5 / kBend, -kMostLean, kMostLean);
   }
   return last;
 }
@@ -166,7 +181,8 @@ std::optional<GoalPost> GoalPosts::post_on_carpet(const FieldImage& frame, const
     return std::nullopt;
   }
   const GoalPost post = post_at(from_foot);
-  return outline_agrees(frame, candidate, upright_at(frame, post.position)) ? std::optional(post) : std::nullopt;
+  return outline_agrees(frame, candidate, upright_at(frame, candidate, post.position)) ? std::optional(post)
+                                                                                       : std::nullopt;
 }
 
 /// Requires carpet behind the post, since goal lines are not at the border of the carpet.
@@ -243,14 +259,21 @@ std::optional<GoalPost> GoalPosts::post_without_foot(const FieldImage& frame, co
   const double from_width = frame.view.pixels_per_radian(candidate.pixel) * field_.goal_post_diameter / candidate.width;
   if (distance > kRange || std::abs(from_width - distance) > kAgreement * distance) return std::nullopt;
   const Vector2d position = *top + 0.5 * field_.goal_post_diameter * frame.view.away(*top);
-  if (!outline_agrees(frame, candidate, upright_at(frame, position))) return std::nullopt;
+  if (!outline_agrees(frame, candidate, upright_at(frame, candidate, position))) return std::nullopt;
   return GoalPost{position, false, candidate.foot.cast<float>(), candidate.top.cast<float>()};
 }
 
-/// A post at a position on the ground.
-GoalPosts::Upright GoalPosts::upright_at(const FieldImage& frame, const Vector2d& position) const {
-  return {frame.view.in_camera({position.x(), position.y(), 0.0}),
-          frame.view.in_camera({position.x(), position.y(), field_.goal_height})};
+/// A post at a position on the ground, leaning as the candidate does in the image.
+GoalPosts::Upright GoalPosts::upright_at(const FieldImage& frame, const Candidate& candidate,
+                                         const Vector2d& position) const {
+  constexpr double kLeastRows = 16.0;  // of which the lean can be measured
+  Upright upright{frame.view.in_camera({position.x(), position.y(), 0.0}),
+                  frame.view.in_camera({position.x(), position.y(), field_.goal_height})};
+  const Vector2d down = candidate.foot - candidate.top;
+  if (down.y() < kLeastRows) return upright;
+  const double lean = down.x() / down.y() - frame.view.vertical_slant(0.5 * (candidate.foot + candidate.top));
+  upright.top.y() += lean * (upright.top.z() - upright.foot.z());
+  return upright;
 }
 
 /// A post from the candidate's foot to its top at this distance.

@@ -43,7 +43,8 @@ class GoalPosts {
   bool may_be_post(const FieldImage& frame, const Eigen::Vector2d& pixel, const Ycbcr& look) const;
   bool is_lighter_than_carpet(const FieldImage& frame, const Ycbcr& look) const;
   bool has_post_color(const FieldImage& frame, const Candidate& candidate, const Eigen::Vector2d& pixel) const;
-  Eigen::Vector2d follow(const FieldImage& frame, const Candidate& candidate, int direction) const;
+  Eigen::Vector2d follow(const FieldImage& frame, const Candidate& candidate, const std::vector<float>& boundary,
+                         int direction) const;
   std::optional<GoalPost> post_on_carpet(const FieldImage& frame, const Candidate& candidate,
                                          const std::vector<float>& boundary) const;
   std::optional<GoalPost> post_without_foot(const FieldImage& frame, const Candidate& candidate) const;
@@ -53,7 +54,7 @@ class GoalPosts {
   bool is_thick_enough(const FieldImage& frame, const Candidate& candidate, double distance) const;
   std::optional<double> distance_from_height(const FieldImage& frame, const Candidate& candidate,
                                              double from_foot) const;
-  Upright upright_at(const FieldImage& frame, const Eigen::Vector2d& position) const;
+  Upright upright_at(const FieldImage& frame, const Candidate& candidate, const Eigen::Vector2d& position) const;
   Upright upright_between(const FieldImage& frame, const Candidate& candidate, double distance) const;
   bool outline_agrees(const FieldImage& frame, const Candidate& candidate, const Upright& upright) const;
 

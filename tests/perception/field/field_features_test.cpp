@@ -205,6 +205,22 @@ TEST(FieldFeatures, SeeNearLinesThatLeadAwayWhileTheHeadTurns) {
   EXPECT_GE(std::count_if(percept.line_points.begin(), percept.line_points.end(), leads_away), 8);
 }
 
+TEST(FieldFeatures, SeePostsThatLeanBecauseTheHeadTurns) {
+  const FlatField scene = FlatField::with_goals();
+  const Stand here(640, 480, {2.4, 0.0, 0.0}, {0.0, 0.1});
+  FieldFeatures features({}, scene.field);
+  for (const double skew : {-80.0, -40.0, 40.0, 80.0}) {  // pixels: up to a NAO's at 4 rad/s
+    SCOPED_TRACE(skew);
+    const Image image = seen_by_rolling_shutter(here.see(scene), skew);
+    const FieldPercept percept = percept_in(features, image.view(), here.camera, here.robot_from_camera);
+    EXPECT_EQ(percept.goal_posts.size(), 2u);
+    for (const GoalPost& post : percept.goal_posts) {
+      const Eigen::Vector2d seen = here.field_from_robot * post.position;
+      EXPECT_LT((seen - Eigen::Vector2d(4.5, std::copysign(0.8, seen.y()))).norm(), 0.25) << seen.transpose();
+    }
+  }
+}
+
 TEST(FieldFeatures, SeeNothingFromTheGround) {
   const Stand upright(320, 240, {-2.0, 0.0, 0.0}, {0.0, 0.25});
   const Image image = upright.see(FlatField::with_goals());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a camera sees while the head turns fast: motion blur, and the noise of dim light.
+// What a camera sees while the head turns fast: motion blur, the noise of dim light, and the skew of a rolling shutter.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,6 +31,25 @@ inline Image seen_while_turning(const Image& still, int blur, double noise) {
       pair[2 * (x % 2)] = static_cast<std::uint8_t>(std::clamp(noisy, 0.0, 255.0));
       pair[1] = static_cast<std::uint8_t>(blue / blur);
       pair[3] = static_cast<std::uint8_t>(red / blur);
+    }
+  }
+  return image;
+}
+
+/// Each row is shifted, the last one by `skew` pixels to the left against the first one. The middle row stays.
+inline Image seen_by_rolling_shutter(const Image& still, double skew) {
+  const ImageView view = still.view();
+  Image image(view.width, view.height);
+  for (int y = 0; y < view.height; ++y) {
+    const int shift = 2 * static_cast<int>(std::lround(0.5 * skew * (y / (view.height - 1.0) - 0.5)));  // whole pairs
+    for (int x = 0; x < view.width; x += 2) {
+      const Ycbcr left = view.at(std::clamp(x + shift, 0, view.width - 2), y);
+      const Ycbcr right = view.at(std::clamp(x + 1 + shift, 1, view.width - 1), y);
+      std::uint8_t* const pair = image.row(y) + 2 * static_cast<std::ptrdiff_t>(x);
+      pair[0] = left.y;
+      pair[1] = left.cb;
+      pair[2] = right.y;
+      pair[3] = left.cr;
     }
   }
   return image;
