@@ -74,7 +74,7 @@ CameraPercepts see_field(const Observation& observation, const World& world, con
     if (observation.percepts) detector[which] = {frame->camera, measured, camera->robot_from_camera};
     if (world.upright() && has_own_vision)
       vision[which].find(frame->image, frame->camera, camera->robot_from_camera, percept);
-    seen[which] = {&percept, camera->robot_from_camera};
+    seen[which] = {&percept, camera->robot_from_camera, &camera->camera};
   };
   see(observation.upper, cameras.upper, kUpper);
   see(observation.lower, cameras.lower, kLower);

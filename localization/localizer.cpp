@@ -3,18 +3,25 @@
 
 #include <algorithm>
 
+#include "geometry/pinned_math.h"
+
 namespace reorient {
 namespace {
 
 /// Assumed probability that a pose that is not tracked is wrong. With one half, 96 to 99 % of the true poses of robots
 /// that were placed anywhere were within the 95 % region of their belief (docs/evidence/localization.md).
 constexpr double kUntrackedIsWrong = 0.5;
+/// The same for a pose that the search has just found. Each second in which the field is in view decreases it.
+constexpr double kFoundIsWrong = 0.05;
+constexpr double kConfirmed = 2.0;    // s, time constant
+constexpr double kLeastDoubt = 1e-6;  // a smaller one is ignored
 
 }  // namespace
 
 Localizer::Localizer(const LocalizerParameters& parameters, const FieldDimensions& field, std::uint64_t seed)
     : parameters_(parameters),
       field_size_(field.length, field.width),
+      lines_(field),
       filter_(parameters.filter, field, seed),
       tracker_(parameters.tracker, field),
       search_(parameters.search, field, seed) {}
@@ -29,6 +36,7 @@ void Localizer::set_parameters(const LocalizerParameters& parameters) {
 void Localizer::set_initial_pose(const Pose2& pose, double position_deviation, double rotation_deviation) {
   filter_.set_initial_pose(pose, position_deviation, rotation_deviation);
   tracker_.attach(filter_.belief());
+  doubt_ = 0.0;
 }
 
 void Localizer::continue_from(const PoseBelief& believed) {
@@ -62,10 +70,16 @@ SensedBelief Localizer::update(const LocalizerInputs& inputs) {
   filter_.update(above, below, inputs.goal, inputs.view, bias_deviation(inputs.seen));
   search(inputs);
   tracker_.update(inputs.seen, filter_.belief(), inputs.time_step);
+  const bool sees_field = above.has_landmarks() || below.has_landmarks();
   SensedBelief sensed{belief(), is_pose_known()};
-  if (!sensed.tracked) sensed.belief.covariance = doubted_covariance(sensed.belief, kUntrackedIsWrong, field_size_);
-  const bool looks = inputs.upright && (upper.percept != nullptr || lower.percept != nullptr);
-  if (looks && !above.has_landmarks() && !below.has_landmarks()) filter_.see_nothing(inputs.time_step);
+  if (!sensed.tracked) {
+    doubt_ = kUntrackedIsWrong;
+  } else if (sees_field && inputs.time_step > 0.0) {
+    doubt_ *= pinned::exp(-inputs.time_step / kConfirmed);
+    if (doubt_ < kLeastDoubt) doubt_ = 0.0;
+  }
+  sensed.belief.covariance = doubted_covariance(sensed.belief, doubt_, field_size_);
+  if (inputs.upright && !sees_field && expects_lines(inputs.seen)) filter_.see_nothing(inputs.time_step);
   sensed.recovery_probability = filter_.recovery().recovery_probability(parameters_.filter.injection.lost_margin);
   return sensed;
 }
@@ -78,6 +92,17 @@ double Localizer::bias_deviation(const std::array<CameraPercept, 2>& seen) const
       deviation = std::max(deviation, tracker_.bias_deviation(seen[i].robot_from_camera, i));
   }
   return deviation;
+}
+
+/// Whether lines would be in view if the believed pose was right. They would be if its reflection was, too.
+bool Localizer::expects_lines(const std::array<CameraPercept, 2>& seen) const {
+  constexpr double kFarthest = 3.0;     // m; small images show lines up to there
+  constexpr double kLeastLength = 1.0;  // m; shorter ones are easily hidden
+  const Pose2 believed = belief().pose;
+  return std::any_of(seen.begin(), seen.end(), [&](const CameraPercept& one) {
+    return one.percept != nullptr && one.camera != nullptr &&
+           lines_.length_in_view(believed, *one.camera, one.robot_from_camera, kFarthest) >= kLeastLength;
+  });
 }
 
 /// Whether the pose or its reflection is known.
@@ -106,6 +131,7 @@ void Localizer::search(const LocalizerInputs& inputs) {
   filter_.take_found(found->field_from_odometry * inputs.odometry, inputs.view);
   tracker_.take_found(found->bias);
   tracker_.attach(filter_.belief());
+  doubt_ = kFoundIsWrong;
 }
 
 void Localizer::flip_pose() {

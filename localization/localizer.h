@@ -10,10 +10,12 @@
 
 #include <Eigen/Core>
 
+#include "geometry/bytes.h"
 #include "geometry/camera_bias.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/head.h"
 #include "geometry/pose2.h"
+#include "localization/measurement/field_line_map.h"
 #include "localization/pose_belief.h"
 #include "localization/pose_filter.h"
 #include "localization/search/pose_search.h"
@@ -79,21 +81,29 @@ class Localizer {
   /// Everything that future results depend on, except parameters and field. Throws BadBytes.
   template <typename Archive>
   static void archive(Archive& archive, auto& self) {
-    archive(self.filter_, self.tracker_, self.gravity_, self.search_, self.was_known_);
+    archive(self.filter_, self.tracker_, self.gravity_, self.search_, self.was_known_, self.doubt_);
+    if constexpr (Archive::kReads) self.complete();
   }
 
  private:
+  /// Checks the state after reading.
+  void complete() const {
+    check_bytes(doubt_ >= 0.0 && doubt_ <= 1.0, "localizer: the doubt about the pose is outside of 0 to 1");
+  }
   double bias_deviation(const std::array<CameraPercept, 2>& seen) const;
+  bool expects_lines(const std::array<CameraPercept, 2>& seen) const;
   bool is_pose_known() const;
   void search(const LocalizerInputs& inputs);
 
   LocalizerParameters parameters_;
   Eigen::Vector2d field_size_;  ///< m
+  FieldLineMap lines_;
   PoseFilter filter_;
   PoseTracker tracker_;
   GravityBias gravity_;
   PoseSearch search_;
   bool was_known_ = false;  ///< whether the pose was known in the previous frame
+  double doubt_ = 0.0;      ///< probability that the believed pose, and its reflection, are wrong
 };
 
 }  // namespace reorient

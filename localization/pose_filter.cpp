@@ -119,8 +119,10 @@ void PoseFilter::weigh() {
   for (std::size_t i = 0; i < particles_.size(); ++i)
     mean_cost += static_cast<double>(particles_.weight[i]) * costs_[i];
   const InjectionParameters& p = parameters_.injection;
-  recovery_.update(pinned::exp(-mean_cost / measurement_.terms()), std::min(elapsed_, kLongestStep), p.slow_time,
-                   p.fast_time);
+  // A frame with few features counts less, since one that is false would make them all false.
+  const double fraction = std::min(1.0, measurement_.terms() / parameters_.measurement.independent_points);
+  recovery_.update(pinned::exp(-mean_cost / measurement_.terms()), fraction * std::min(elapsed_, kLongestStep),
+                   p.slow_time, p.fast_time);
 
   const double correlation_time = parameters_.measurement.correlation_time;
   const auto frame_weight = elapsed_ < correlation_time ? static_cast<float>(elapsed_ / correlation_time) : 1.0f;

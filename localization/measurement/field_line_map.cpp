@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/field_landmarks.h"
-#include "geometry/transform.h"
 
 namespace reorient {
 
@@ -41,6 +40,23 @@ std::optional<NearestFieldLine> FieldLineMap::nearest(const Eigen::Vector2d& pla
   if (radius > 1e-6 && std::abs(place.dot(direction)) < most_sine_ * radius) offer(place / radius, radius - circle_);
   if (best) best->next = next;
   return best;
+}
+
+double FieldLineMap::length_in_view(const Pose2& robot, const CameraModel& camera, const Isometry3& robot_from_camera,
+                                    double farthest) const {
+  constexpr double kStep = 0.2;  // m
+  const Pose2 robot_from_field = robot.inverse();
+  const Isometry3 camera_from_robot = robot_from_camera.inverse();
+  double length = 0.0;
+  for (const Line& line : lines_) {
+    for (double along = 0.5 * kStep; along < line.length; along += kStep) {
+      const Eigen::Vector2d place = robot_from_field * (line.from + along * line.along);
+      if (place.squaredNorm() > farthest * farthest) continue;
+      const auto pixel = camera.project(camera_from_robot * Eigen::Vector3d(place.x(), place.y(), 0.0));
+      if (pixel && camera.contains(*pixel)) length += kStep;
+    }
+  }
+  return length;
 }
 
 }  // namespace reorient

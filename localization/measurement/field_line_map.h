@@ -9,8 +9,11 @@
 #include <Eigen/Core>
 
 #include "geometry/angle.h"
+#include "geometry/camera.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/pinned_math.h"
+#include "geometry/pose2.h"
+#include "geometry/transform.h"
 
 namespace reorient {
 
@@ -28,6 +31,11 @@ class FieldLineMap {
   /// Considers lines whose direction differs from `direction` (a unit vector of either sign) by at most 25 degrees,
   /// only between their ends. Empty if no line fits.
   std::optional<NearestFieldLine> nearest(const Eigen::Vector2d& place, const Eigen::Vector2d& direction) const;
+
+  /// Length of the straight lines, m, that a camera of a robot at `robot` (field frame) has in view, if nothing hides
+  /// them, up to `farthest` m from the robot.
+  double length_in_view(const Pose2& robot, const CameraModel& camera, const Isometry3& robot_from_camera,
+                        double farthest) const;
 
  private:
   static constexpr double kMostBetween = from_degrees(25.0);

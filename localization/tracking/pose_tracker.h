@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/bytes.h"
+#include "geometry/camera.h"
 #include "geometry/camera_bias.h"
 #include "geometry/field_dimensions.h"
 #include "geometry/pose2.h"
@@ -58,6 +59,7 @@ void describe(PoseTrackerParameters& p, Visit&& visit) {
 struct CameraPercept {
   const FieldPercept* percept = nullptr;  ///< null: no image
   Isometry3 robot_from_camera = Isometry3::Identity();
+  const CameraModel* camera = nullptr;  ///< null: unknown
 };
 
 class PoseTracker {

@@ -5,7 +5,8 @@
 --- then only the initial pose contradicts the mirrored pose, so mirrored particles are purged. After that, the model is
 --- trained only while the room supports the believed pose, because training on a mirrored belief would learn the room
 --- mirrored. If a room that was not symmetric starts to seem symmetric without a disturbance, it is learned further, since
---- more of it may show a difference. While the robot is disturbed, the camera's pose is unknown, so both pause.
+--- more of it may show a difference. While the robot is disturbed, the camera's pose is unknown, so both pause. While what
+--- the robot sees does not fit its pose, it does not learn.
 
 -- SPDX-License-Identifier: MIT
 
@@ -35,6 +36,8 @@ local function knows_the_room()
 end
 
 local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end
+
+local function is_lost() return not pose.tracked end
 
 local function is_vouched_for() return pose.known and not memory.was_lifted end
 
@@ -86,6 +89,7 @@ behavior "background_training" {
     { "trusting", when = knows_the_room, because = "enough of the room was learned" },
 
     state "studying" {
+      { "doubting", when = is_lost, because = "what the robot sees does not fit its pose" },
       { "purging",
         when = function() return pose.reflected_weight > p.lingering end,
         because = "the initial pose was set, so the mirrored pose is wrong" },
@@ -93,7 +97,13 @@ behavior "background_training" {
 
     state "purging" {
       enter = function() command.purge_reflection() end,
+      { "doubting", when = is_lost, because = "what the robot sees does not fit its pose" },
       { "studying", after = "purge_pause" },
+    },
+
+    state "doubting" {
+      enter = command.pause_training,
+      { "studying", when = function() return pose.tracked end, because = "what the robot sees fits its pose again" },
     },
   },
 

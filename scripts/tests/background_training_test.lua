@@ -40,6 +40,24 @@ test("without a known pose it neither trains nor evaluates", function()
   expect.lease("pause_evaluation")
 end)
 
+test("it does not learn while what it sees does not fit its pose", function()
+  start()
+  for _, mirrored_weight in ipairs { 0.0, 0.2 } do   -- also while it purges
+    set_world { pose = { tracked = true, reflected_weight = mirrored_weight } }
+    advance(0.1)
+    expect.no_lease("pause_training")
+    set_world { pose = { tracked = false } }
+    advance(0.1)
+    expect.state("background_training", "learning/doubting")
+    expect.lease("pause_training")
+    expect.lease("pause_evaluation")
+  end
+  set_world { pose = { tracked = true, reflected_weight = 0.0 } }
+  advance(0.1)
+  expect.state("background_training", "learning/studying")
+  expect.no_lease("pause_training")
+end)
+
 test("it continues to learn until enough of the wall is known on both sides", function()
   start()
   set_world { training = { seconds = 25 }, confidence = { coverage = 0.5, paired = 0.1 } }

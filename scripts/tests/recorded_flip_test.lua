@@ -3,15 +3,15 @@
 
 -- SPDX-License-Identifier: MIT
 
-test("flips its belief half a second after its feet touched the ground", function()
+test("flips its belief about a second after its feet touched the ground", function()
   replay "recordings/recorded_flip.mcap"
   expect.state("orientation", "watching/unconfirmed")
   expect.near(world_value("pose.x"), -3.2, 0.5)
 
-  advance_to(43.37)
+  advance_to(43.63)
   expect.no_command("flip_pose")
 
-  advance_to(43.43)
+  advance_to(43.70)
   expect.command("flip_pose", "granted")
   expect.reason("orientation", "the mirrored pose won")
 

@@ -202,6 +202,21 @@ TEST(PoseFilter, IsNotLostAfterOneBadFrameThatFollowsALongGap) {
   EXPECT_GT(filter.recovery().recovery_probability(InjectionParameters().lost_margin), 0.0);
 }
 
+TEST(PoseFilter, IsNotLostAfterAFewFramesWithOneFalsePost) {
+  PoseFilter filter = spl_filter();
+  const Pose2 start(-3.2, -3.5, 0.5 * kPi);
+  filter.set_initial_pose(start, 0.1, 0.05);
+  SyntheticRobot robot(filter, start, 1);
+  robot.stand_for(10.0);
+  FieldPercept post;
+  post.goal_posts.push_back({{1.5, 0.7}, true, {}, {}});
+  for (int i = 0; i < 4; ++i) {
+    filter.predict(Pose2(), 0.4);  // it sees nothing in between
+    filter.update(post, SeenGoal::unknown);
+  }
+  EXPECT_FALSE(filter.is_lost());
+}
+
 TEST(PoseFilter, IsLostAfterItHasSeenNothingForLong) {
   PoseFilter filter = spl_filter();
   filter.see_nothing(30.0);  // has no effect before the first fit

@@ -51,9 +51,9 @@ class ReplayingTest : public testing::Test {
 TEST_F(ReplayingTest, RunsThePresentScripts) {
   const std::string test = R"(
     replay "recordings/recorded_flip.mcap"
-    advance_to(43.43)
+    advance_to(43.70)
     expect.command("flip_pose", "granted")
-    advance(0.3)
+    advance(0.1)
     expect.no_command("flip_pose")
     expect.as_recorded())";
   const ProgramRun same = run_test(test);
@@ -63,7 +63,7 @@ TEST_F(ReplayingTest, RunsThePresentScripts) {
   EXPECT_EQ(other.code, 1) << other.out;
   EXPECT_NE(other.out.find("expected command flip_pose"), std::string::npos) << other.out;
   EXPECT_NE(other.out.find("expected the recorded actions of the robot"), std::string::npos) << other.out;
-  EXPECT_NE(other.out.find("at 43.40 s"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("at 43.67 s"), std::string::npos) << other.out;
 }
 
 TEST_F(ReplayingTest, ReachesTheNextFrameWithParametersEditsAndMessages) {
@@ -170,7 +170,7 @@ TEST_F(ReplayingTest, IsMadeOfARecordingWhoseNameIsNoLineOfLua) {
 TEST_F(ReplayingTest, IsMadeOfAPartOfARecording) {
   const std::string recording = (kProjectFolder / "scripts/tests/recordings/recorded_flip.mcap").string();
   const std::vector<std::string> make{"record-test", recording, "--from",    "43.2",      "--to",
-                                      "43.6",        "--name",  "made_here", "--scripts", scripts().string()};
+                                      "43.8",        "--name",  "made_here", "--scripts", scripts().string()};
   const ProgramRun made = run_reorient(make);
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_NE(made.out.find("made_here_test.lua"), std::string::npos) << made.out;

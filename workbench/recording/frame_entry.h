@@ -28,7 +28,7 @@ inline constexpr std::string_view kOwnSchemaText = "uint8[] data\n";
 
 /// Format of these topics. It changes with the meaning of their bytes, as do the magic numbers of a frame's entry, its
 /// inputs, its record and the engine's state. Frames of another format cannot be replayed, only viewed.
-inline constexpr int kRecordingFormat = 11;
+inline constexpr int kRecordingFormat = 12;
 
 /// A topic for viewers, which replay does not use.
 struct ViewTopic {
