@@ -9,7 +9,7 @@
 namespace reorient {
 namespace {
 
-constexpr std::uint64_t kStateMagic = 0x4765746174537252ull;  // "RrStateG": change it with the layout
+constexpr std::uint64_t kStateMagic = 0x4865746174537252ull;  // "RrStateH": change it with the layout
 
 bool is_possible(const CameraOptics& camera) {
   constexpr int kMostPixels = 10'000;
