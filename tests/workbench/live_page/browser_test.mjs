@@ -313,6 +313,7 @@ test("letters typed right after the key of the search are in its box, and replac
   await page.keyboard.type("_t");
   assert.equal(await box.inputValue(), "hold_t");
   await page.keyboard.press("Escape");
+  assert.equal(await box.inputValue(), "hold_t");
   await page.keyboard.type("/scan");
   assert.equal(await box.inputValue(), "scan");
   await page.keyboard.press("Escape");

@@ -90,6 +90,8 @@ export function onKey(event, actions) {
     return;
   }
   if (event.key === "Escape") {
+    // Else Chrome empties a box for a search without an input event, and the next drawing fills it again.
+    if (target.matches?.("input[type=search]")) event.preventDefault();
     target.blur?.();
     actions.close();
     return;
