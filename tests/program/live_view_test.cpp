@@ -116,7 +116,7 @@ TEST_F(LiveRunOfAUser, ReplaysToTheSameDigestAlsoIfAViewerTunedIt) {
 }
 
 TEST_F(LiveRunOfAUser, TriesChangesWithoutTouchingTheRun) {
-  start({"--seconds", "6"});
+  start({"--seconds", "10"});
   const auto viewer = connect();
   const LiveJson change{{"parameters", {{{"name", "head_scan.timeout"}, {"value", 0.5}}}}};
   LiveJson answer;
@@ -142,7 +142,7 @@ TEST_F(LiveRunOfAUser, TriesChangesWithoutTouchingTheRun) {
             std::string::npos);
   run->wait();
   const ProgramRun alone =
-      run_reorient({"run", "patrol", "--width", "160", "--no-pictures", "--seconds", "6", "--log", "off"});
+      run_reorient({"run", "patrol", "--width", "160", "--no-pictures", "--seconds", "10", "--log", "off"});
   EXPECT_EQ(digest(), digest_of(alone)) << "nothing of it reaches the run";
 }
 

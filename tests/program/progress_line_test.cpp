@@ -33,9 +33,8 @@ class StandardError {
   StandardError& operator=(const StandardError&) = delete;
 
   /// False: no pseudo-terminal is available (a root without /dev/pts).
-  bool become_terminal(unsigned short columns) {
-    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-    return openpty(&master_, &slave_, nullptr, nullptr, &size) == 0 && dup2(slave_, STDERR_FILENO) >= 0;
+  bool become_terminal() {
+    return openpty(&master_, &slave_, nullptr, nullptr, nullptr) == 0 && dup2(slave_, STDERR_FILENO) >= 0;
   }
   void resize(unsigned short columns) const {
     const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
@@ -55,8 +54,11 @@ class StandardError {
 
 class ProgressOnATerminal : public ::testing::Test {
  protected:
+  void SetUp() override {
+    if (!error.become_terminal()) GTEST_SKIP() << "no pseudo-terminal";
+  }
   void begin(unsigned short columns) {
-    if (!error.become_terminal(columns)) GTEST_SKIP() << "no pseudo-terminal";
+    error.resize(columns);
     line.emplace(out);
   }
   /// The output of showing the text.
