@@ -6,7 +6,7 @@
 --- trained only while the room supports the believed pose, because training on a mirrored belief would learn the room
 --- mirrored. If a room that was not symmetric starts to seem symmetric without a disturbance, it is learned further, since
 --- more of it may show a difference. While the robot is disturbed, the camera's pose is unknown, so both pause. While what
---- the robot sees does not fit its pose, it does not learn.
+--- the robot sees no longer fits its pose, it does not learn.
 
 -- SPDX-License-Identifier: MIT
 
@@ -24,8 +24,9 @@ local p = param {
   hold_time     = { 1.0,  range = { 0, 10 },  unit = "s", doc = "time for which the log-odds must reach proof" },
 }
 
--- After a lift during learning, the initial pose is not reliable any more.
-local memory = keep { has_begun = false, was_lifted = false }
+-- After a lift during learning, the initial pose is not reliable any more. A robot that has never seen lines where its pose
+-- expects them, for example in a room without a field, trusts the pose that was set.
+local memory = keep { has_begun = false, was_lifted = false, was_tracked = false }
 
 local function stands_on_the_field() return robot.time_since_disturbance > p.undisturbed_time end
 
@@ -37,7 +38,7 @@ end
 
 local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end
 
-local function is_lost() return not pose.tracked end
+local function is_lost() return memory.was_tracked and not pose.tracked end
 
 local function is_vouched_for() return pose.known and not memory.was_lifted end
 
@@ -86,10 +87,11 @@ behavior "background_training" {
       memory.has_begun = true
       command.pause_evaluation()
     end,
+    update = function() memory.was_tracked = memory.was_tracked or pose.tracked end,
     { "trusting", when = knows_the_room, because = "enough of the room was learned" },
 
     state "studying" {
-      { "doubting", when = is_lost, because = "what the robot sees does not fit its pose" },
+      { "doubting", when = is_lost, because = "what the robot sees no longer fits its pose" },
       { "purging",
         when = function() return pose.reflected_weight > p.lingering end,
         because = "the initial pose was set, so the mirrored pose is wrong" },
@@ -97,7 +99,7 @@ behavior "background_training" {
 
     state "purging" {
       enter = function() command.purge_reflection() end,
-      { "doubting", when = is_lost, because = "what the robot sees does not fit its pose" },
+      { "doubting", when = is_lost, because = "what the robot sees no longer fits its pose" },
       { "studying", after = "purge_pause" },
     },
 

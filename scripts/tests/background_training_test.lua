@@ -40,7 +40,7 @@ test("without a known pose it neither trains nor evaluates", function()
   expect.lease("pause_evaluation")
 end)
 
-test("it does not learn while what it sees does not fit its pose", function()
+test("it does not learn while what it sees no longer fits its pose", function()
   start()
   for _, mirrored_weight in ipairs { 0.0, 0.2 } do   -- also while it purges
     set_world { pose = { tracked = true, reflected_weight = mirrored_weight } }
@@ -54,6 +54,14 @@ test("it does not learn while what it sees does not fit its pose", function()
   end
   set_world { pose = { tracked = true, reflected_weight = 0.0 } }
   advance(0.1)
+  expect.state("background_training", "learning/studying")
+  expect.no_lease("pause_training")
+end)
+
+test("it learns where it has never seen a line", function()
+  set_world { pose = { tracked = false } }
+  start()
+  advance(1)
   expect.state("background_training", "learning/studying")
   expect.no_lease("pause_training")
 end)
