@@ -153,12 +153,15 @@ nlohmann::ordered_json as_json(const Condition& condition) {
           {"rows", std::move(rows)}};
 }
 
-void print(const std::vector<Condition>& conditions, std::ostream& out) {
+void print(const std::vector<Condition>& conditions, bool has_corner_arcs, std::ostream& out) {
   TextTable table{{"percept", "distance, m", "in view"}};
   for (const Condition& condition : conditions) table[0].push_back(condition.name());
   for (const char* title : {"bearing, degrees", "distance, %", "spread"}) table[0].emplace_back(title);
-  for (std::size_t i = 0; i < kPerceptKinds.size(); ++i)
-    table.push_back(row_of(static_cast<PerceptKind>(i), fmt::format("to {:g}", kNear), conditions, 0.0, kNear));
+  for (std::size_t i = 0; i < kPerceptKinds.size(); ++i) {
+    const auto kind = static_cast<PerceptKind>(i);
+    if (kind == PerceptKind::corner_arcs && !has_corner_arcs) continue;
+    table.push_back(row_of(kind, fmt::format("to {:g}", kNear), conditions, 0.0, kNear));
+  }
   for (std::size_t i = 0; i < kPerceptKinds.size(); ++i) {
     double from = 0.0;
     for (const double to : PerceptScore::kBands) {
@@ -203,7 +206,7 @@ int run(const FieldFeaturesOptions& options, std::ostream& out, std::ostream& er
   }
   out << fmt::format("{} images of {} pixels a row, in each of {}\n\n", 3 * options.places, options.width,
                      counted(options.rooms.size(), "room"));
-  print(conditions, out);
+  print(conditions, tuning.robot.field.corner_arc_radius > 0.0, out);
   out << "\nIn each light and at each speed of the head: precision, then recall. bearing, distance: mean error of what "
          "is right. spread: its squared error, normalized by its covariance; 2 where the covariance is right.\n";
   return kSuccess;

@@ -113,7 +113,7 @@ FieldInView field_in_view(const Simulator& simulator, const CameraFrame& frame, 
   constexpr double kPostHeight = 0.5;
   constexpr double kFoot = 0.05;
   constexpr double kBeside = 0.35;  // m to the line of sight, within which a nearer robot hides another one
-  constexpr int kCirclePlaces = 36, kMarkPlaces = 8;
+  constexpr int kCirclePlaces = 36, kMarkPlaces = 8, kArcPlaces = 5;
   constexpr double kBallShown = 0.7;  // of its radius, to all sides
   const Pose2 robot = simulator.ground_truth().pose;
   const Shot shot{simulator, frame, simulator.field_from_camera().inverse() * to_isometry(robot), robot};
@@ -155,6 +155,19 @@ FieldInView field_in_view(const Simulator& simulator, const CameraFrame& frame, 
       intersection.clearly = intersection.clearly && shot.shows(shot.in_robot(end), 0.0, Label::line);
     }
     view.intersections.push_back(intersection);
+  }
+  for (const CornerArc& arc : corner_arcs(field)) {
+    const auto shows_line = [&](const Vector2d& from_corner) {
+      return shot.shows(shot.in_robot(arc.corner + from_corner), 0.0, Label::line);
+    };
+    bool clearly = shows_line(Vector2d::Zero());
+    for (const double degrees : {0.0, 90.0})
+      clearly = clearly && shows_line(kArm * unit_vector(arc.begin + from_degrees(degrees)));
+    for (int i = 0; i < kArcPlaces; ++i) {
+      const double along = from_degrees(22.5 + 45.0 * i / (kArcPlaces - 1));
+      clearly = clearly && shows_line(field.corner_arc_radius * unit_vector(arc.begin + along));
+    }
+    view.corner_arcs.push_back({shot.in_robot(arc.corner), clearly});
   }
   for (const Vector2d& mark : penalty_marks(field)) {
     const Vector2d seen = shot.in_robot(mark);

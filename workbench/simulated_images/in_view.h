@@ -32,11 +32,12 @@ struct FieldInView {
   std::vector<Thing> goal_posts;   ///< foot and half a meter above it are clear
   std::vector<Thing> robots;       ///< the side toward the camera; clear at the feet, without another robot before them
   std::vector<IntersectionInView> intersections;  ///< clear along 0.3 m of each arm
-  std::vector<Thing> penalty_marks;               ///< clear with some carpet all around
-  std::optional<Thing> center_circle;             ///< a third of its line is clear
-  std::optional<Thing> ball;                      ///< the whole of it is clear
-  int bottom_row = 0;                             ///< of the image
-  Pose2 robot;                                    ///< field frame, where the image was taken
+  std::vector<Thing> corner_arcs;      ///< the corner; clear along 0.3 m of its lines and in the middle half of the arc
+  std::vector<Thing> penalty_marks;    ///< clear with some carpet all around
+  std::optional<Thing> center_circle;  ///< a third of its line is clear
+  std::optional<Thing> ball;           ///< the whole of it is clear
+  int bottom_row = 0;                  ///< of the image
+  Pose2 robot;                         ///< field frame, where the image was taken
 };
 
 /// `frame`: the upper camera's latest image, which the simulator must have labels of.

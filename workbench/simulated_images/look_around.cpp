@@ -31,8 +31,8 @@ PerceptScore look_around(Simulator& simulator, FieldFeatures& features, const Fi
   const Eigen::Vector2d lines = field_half_size(field);
   const Eigen::Vector2d inside = lines - Eigen::Vector2d(0.3, 0.2);
   const std::array<double, kPerceptKinds.size()> farthest{
-      parameters.line_range, parameters.post_range, parameters.line_range,    parameters.line_range,
-      parameters.line_range, parameters.line_range, parameters.obstacle_range};
+      parameters.line_range, parameters.post_range, parameters.line_range, parameters.line_range,
+      parameters.line_range, parameters.line_range, parameters.line_range, parameters.obstacle_range};
   Observation observation;
   FieldPercept percept;
   PerceptScore score;

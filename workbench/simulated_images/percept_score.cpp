@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -198,6 +199,10 @@ PerceptScore score_of(const FieldPercept& percept, const FieldInView& view, cons
   count_lines(counter(PerceptKind::line_points), percept, view, field);
   count(counter(PerceptKind::goal_posts), percept.goal_posts, view.goal_posts, kPost, any);
   count(counter(PerceptKind::intersections), percept.intersections, view.intersections, kLandmark, is_same);
+  std::vector<Intersection> corners;
+  std::copy_if(percept.intersections.begin(), percept.intersections.end(), std::back_inserter(corners),
+               [](const Intersection& one) { return one.corner_arc; });
+  count(counter(PerceptKind::corner_arcs), corners, view.corner_arcs, kLandmark, any);
   count(counter(PerceptKind::penalty_marks), percept.penalty_marks, view.penalty_marks, kLandmark, any);
   std::vector<Thing> obstacles = view.robots;
   for (const Vector2d& place : frame_of_goals(field)) obstacles.push_back({view.robot.inverse() * place, false});

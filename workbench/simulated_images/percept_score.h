@@ -11,9 +11,18 @@
 
 namespace reorient {
 
-enum class PerceptKind { line_points, goal_posts, center_circle, intersections, penalty_marks, ball, obstacles };
-inline constexpr std::array<std::string_view, 7> kPerceptKinds{
-    "line points", "goal posts", "center circle", "intersections", "marks", "ball", "obstacles"};
+enum class PerceptKind {
+  line_points,
+  goal_posts,
+  center_circle,
+  intersections,
+  corner_arcs,
+  penalty_marks,
+  ball,
+  obstacles
+};
+inline constexpr std::array<std::string_view, 8> kPerceptKinds{
+    "line points", "goal posts", "center circle", "intersections", "corner arcs", "marks", "ball", "obstacles"};
 
 /// Score of the percepts in a range of distances. Errors are sums over right percepts.
 struct PerceptCounts {

@@ -53,6 +53,33 @@ TEST_F(SeenBall, IsNoBallIfALineIsInViewThere) {
   EXPECT_FALSE(found());
 }
 
+/// Whether a ball on the center circle is found from `pose`, if the vision knows the circle.
+bool finds_ball_on_circle(const Eigen::Vector2d& ball, const Pose2& pose) {
+  FlatField scene;
+  scene.spheres = {{ball}};
+  const Stand here(640, 480, pose, {0.0, 0.25});
+  const GroundProjection view = GroundProjection::look(here.camera, here.robot_from_camera).value();
+  const Image image = here.see(scene);
+  CarpetColor color{FieldFeatureParameters{}};
+  color.observe(image.view(), view);
+  CarpetMap map;
+  map.fill(image.view(), color, std::max(0, static_cast<int>(view.highest_horizon())));
+  FieldPercept percept;
+  percept.boundary.assign(CarpetMap::kColumns, 0.0f);
+  KnownLines lines;
+  lines.circle.emplace().center = pose.inverse() * Eigen::Vector2d::Zero();
+  lines.circle_radius = scene.field.center_circle_radius;
+  lines.line_width = scene.field.line_width;
+  return BallFinder({}, scene.field).find({image.view(), view, color}, map, lines, percept).has_value();
+}
+
+/// The blurred end of the circle, seen from the side, is as wide as a ball.
+TEST(BallOnTheCenterCircle, IsFoundUnlessTheLineCoversIt) {
+  const double radius = FieldDimensions().center_circle_radius;
+  EXPECT_TRUE(finds_ball_on_circle({-radius, 0.0}, {-radius - 1.2, 0.0, 0.0})) << "the line is across";
+  EXPECT_FALSE(finds_ball_on_circle({0.0, radius}, {-1.2, radius, 0.0})) << "the line leads away behind it";
+}
+
 TEST_F(SeenBall, IsNoBallIfItBelongsToAnObstacle) {
   const std::optional<Ball> ball = found();
   ASSERT_TRUE(ball);
