@@ -8,10 +8,10 @@ test("flips its belief about a second after its feet touched the ground", functi
   expect.state("orientation", "watching/unconfirmed")
   expect.near(world_value("pose.x"), -3.2, 0.5)
 
-  advance_to(43.63)
+  advance_to(43.37)
   expect.no_command("flip_pose")
 
-  advance_to(43.70)
+  advance_to(43.43)
   expect.command("flip_pose", "granted")
   expect.reason("orientation", "the mirrored pose won")
 

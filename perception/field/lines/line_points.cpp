@@ -127,6 +127,7 @@ LinePoints::LinePoints(const FieldFeatureParameters& parameters, const FieldDime
   candidates_.reserve(kMostCandidates);
   lone_.reserve(kMostCandidates);
   colors_.reserve(kMostCandidates);
+  mean_colors_.reserve(kMostCandidates);
   sorted_.reserve(kMostCandidates);
 }
 
@@ -135,6 +136,7 @@ void LinePoints::find(const ImageView& image, const GroundProjection& view, Carp
   candidates_.clear();
   lone_.clear();
   colors_.clear();
+  mean_colors_.clear();
   percept.line_points.clear();
   if (std::min(image.width, image.height) < kSmallest) return;
   const Frame frame{image, view, color, percept};
@@ -224,18 +226,25 @@ void LinePoints::search(const Frame& frame, const Vector2d& start, const Vector2
 bool LinePoints::lies_on_carpet(const Frame& frame, const Side& before, const Side& after, Candidate& candidate) const {
   const Vector2d center = 0.5 * (before.edge + after.edge);
   if (center.y() < boundary_at(frame.percept.boundary, frame.image.width, center.x()) + 1.0) return false;
-  candidate.color.carpet = Vector2d::Zero();
+  Vector2d all = Vector2d::Zero(), sure = Vector2d::Zero();
+  int sure_count = 0;
   bool is_sure = false;
   const double thin = 1.5 * blur_of(frame.image);
   const bool is_thin = (after.edge - before.edge).squaredNorm() < thin * thin;
   for (const Side& side : {before, after}) {
     const NearestPixel ground = nearest_pixel(frame.image, frame.color, side.outside);
     Surface surface = ground.surface();
+    all += chroma_of(ground.color);
+    if (surface == Surface::carpet) {
+      sure += chroma_of(ground.color);
+      ++sure_count;
+    }
     if (surface == Surface::other && is_thin) surface = mean_surface(frame, side, center);
     if (surface == Surface::other) return false;
     is_sure = is_sure || surface == Surface::carpet;
-    candidate.color.carpet += 0.5 * chroma_of(ground.color);
   }
+  // A strip of carpet between a line and the boards has their tint.
+  candidate.color.carpet = sure_count > 0 ? Vector2d(sure / sure_count) : Vector2d(0.5 * all);
   candidate.color.less_carpet =
       chroma_of(nearest_pixel(frame.image, frame.color, center).color) - candidate.color.carpet;
   return is_sure && !hides(frame.percept, center);
@@ -308,6 +317,7 @@ void LinePoints::keep_supported(FieldPercept& percept) {
     const double reach = std::clamp(0.12 * candidate.distance, 0.2, 0.4);
     int support = 0;
     double least = 0.0, most = 0.0;
+    StripeColor colors = candidate.color;
     Vector2d sum = candidate.position;
     Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
     for (const Candidate& other : candidates_) {
@@ -320,6 +330,9 @@ void LinePoints::keep_supported(FieldPercept& percept) {
       const double along = -offset.x() * candidate.normal.y() + offset.y() * candidate.normal.x();
       least = std::min(least, along);
       most = std::max(most, along);
+      colors.contrast += other.color.contrast;
+      colors.carpet += other.color.carpet;
+      colors.less_carpet += other.color.less_carpet;
       sum += offset;
       squares += offset * offset.transpose();
       ++support;
@@ -328,13 +341,15 @@ void LinePoints::keep_supported(FieldPercept& percept) {
       add_lone(candidate.position);
       continue;
     }
-    const Vector2d mean = (sum - candidate.position) / (support + 1);
-    const Eigen::Matrix2d spread = squares / (support + 1) - mean * mean.transpose();
+    const int count = support + 1;
+    const Vector2d mean = (sum - candidate.position) / count;
+    const Eigen::Matrix2d spread = squares / count - mean * mean.transpose();
     const double along_angle = 0.5 * pinned::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
     const auto [sine, cosine] = pinned::sincos(along_angle);
     percept.line_points.push_back(
         {candidate.position, half_turn_angle({-sine, cosine}), candidate.pixel.cast<float>()});
     colors_.push_back(candidate.color);
+    mean_colors_.push_back({colors.carpet / count, colors.less_carpet / count, colors.contrast / count});
   }
 }
 
@@ -362,8 +377,8 @@ std::optional<LinePoints::StripeColor> LinePoints::usual_stripe() {
 void LinePoints::keep_white(const CarpetColor& color, double usual_contrast, FieldPercept& percept) const {
   constexpr double kLeastFraction = 0.2, kNoise = 2.0;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < colors_.size(); ++i) {
-    const StripeColor& stripe = colors_[i];
+  for (std::size_t i = 0; i < mean_colors_.size(); ++i) {
+    const StripeColor& stripe = mean_colors_[i];
     const Vector2d white = color.white_less_carpet(stripe.carpet);
     const double norm = white.norm();
     const double faintness = usual_contrast > 0.0 ? std::min(1.0, stripe.contrast / usual_contrast) : 1.0;

@@ -73,7 +73,8 @@ class LinePoints {
   std::vector<BrightSegment> segments_;
   std::vector<Candidate> candidates_;
   std::vector<Eigen::Vector2d> lone_;
-  std::vector<StripeColor> colors_;  ///< of the percept's line points
+  std::vector<StripeColor> colors_;       ///< of the line points
+  std::vector<StripeColor> mean_colors_;  ///< of each of them and the points that continue it
   std::vector<double> sorted_;
 };
 

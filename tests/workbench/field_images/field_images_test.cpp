@@ -236,14 +236,19 @@ TEST_F(RecoloredImages, ShowTheSame) {
         labels.raw ? read_yuyv(file, labels.raw->width, labels.raw->height, labels.raw->header) : read_png(file);
     const FieldScore plain = look(image, labels);
     FieldScore pooled;
+    const std::optional<std::size_t> faint =
+        labels.name == "nao-v4-top-640x480-a.png" ? std::optional(2u) : std::nullopt;
+    int faint_found = 0;
     EXPECT_GE(plain.on_lines, 50) << labels.name;
     for (const Recoloring& recoloring : usual_recolorings()) {
       SCOPED_TRACE(labels.name + ", " + recoloring.name);
       const FieldScore seen = look(recolored(image.view(), recoloring), labels);
-      // The faint touchline of an image is lost with less red.
       EXPECT_GE(seen.on_lines, 0.7 * plain.on_lines);
       for (std::size_t i = 0; i < seen.lines.size(); ++i) {
-        if (plain.lines[i].recall() < 0.8) continue;  // the faint touchline
+        if (faint == i) {  // a touchline close to the boards
+          faint_found += seen.lines[i].recall() >= 0.75 ? 1 : 0;
+          continue;
+        }
         EXPECT_GE(seen.lines[i].recall(), 0.75 * plain.lines[i].recall()) << "line " << i;
       }
       EXPECT_EQ(seen.in_masks, 0);
@@ -252,6 +257,9 @@ TEST_F(RecoloredImages, ShowTheSame) {
       EXPECT_EQ(seen.robots_found, seen.robots);
       EXPECT_EQ(seen.false_obstacles, 0);
       pooled = pooled + seen;
+    }
+    if (faint) {
+      EXPECT_GE(faint_found, 20);
     }
     EXPECT_GE(pooled.border_found, 0.9 * pooled.border_columns) << labels.name;
     EXPECT_GE(pooled.posts_found, 0.85 * pooled.posts) << labels.name;
