@@ -102,23 +102,35 @@ double quantile_of(std::vector<double> values, double share) {
   return *place;
 }
 
-constexpr double kWide = 4.0;  // pixels; at this width a stripe shows its whole contrast
-
-/// The contrast of white against the carpet, measured on the widest stripes.
+/// The contrast of white against the carpet, and from which width on a stripe shows all of it.
 struct WhiteContrast {
   double light = 0.0;
+  double wide = 0.0;      ///< pixels
   bool is_known = false;  ///< false: no stripe is wide
+
+  bool shows_all(const StripeProfile& profile) const {
+    constexpr double kShadow = 0.5;
+    return profile.own_width() >= wide && profile.contrast >= kShadow * light;
+  }
 };
 
+/// Blur spreads a thin stripe to a width that no stripe in the image is below, and lowers its contrast. So a stripe is
+/// wide only if it is clearly wider than the thinnest ones, and not much fainter than the clearest ones.
 WhiteContrast white_contrast(const std::vector<StripeProfile>& profiles) {
+  constexpr double kLeastWide = 4.0;  // pixels
+  constexpr double kAboveBlur = 1.6;  // a Gaussian blur then takes 5 % of the contrast
   constexpr std::size_t kFewest = 5;
-  std::vector<double> of_wide, of_all;
+  std::vector<double> contrasts, widths, of_wide;
   for (const StripeProfile& profile : profiles) {
-    of_all.push_back(profile.contrast);
-    if (profile.own_width() >= kWide) of_wide.push_back(profile.contrast);
+    contrasts.push_back(profile.contrast);
+    widths.push_back(profile.own_width());
   }
-  if (of_wide.size() >= kFewest) return {quantile_of(of_wide, 0.5), true};
-  return {quantile_of(of_all, 0.8), false};
+  WhiteContrast white{quantile_of(contrasts, 0.9), std::max(kLeastWide, kAboveBlur * quantile_of(widths, 0.1)), false};
+  for (const StripeProfile& profile : profiles)
+    if (white.shows_all(profile)) of_wide.push_back(profile.contrast);
+  white.is_known = of_wide.size() >= kFewest;
+  if (white.is_known) white.light = quantile_of(of_wide, 0.5);
+  return white;
 }
 
 /// Its projection into the image; nothing if the camera cannot project the line.
@@ -162,8 +174,8 @@ LineStripes find_line_stripes(const ImageView& image, const CameraModel& camera,
   const WhiteContrast white = white_contrast(profiles);
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     const StripeProfile& profile = profiles[i];
-    const bool is_wide = profile.own_width() >= kWide;
-    stripes[i].width = is_wide ? profile.own_width() : profile.light / std::max(profile.contrast, white.light);
+    stripes[i].width =
+        white.shows_all(profile) ? profile.own_width() : profile.light / std::max(profile.contrast, white.light);
   }
   return {std::move(stripes), white.is_known};
 }

@@ -24,8 +24,8 @@ struct LineStripe {
 
 struct LineStripes {
   std::vector<LineStripe> stripes;
-  /// Whether the contrast of white was measured on wide stripes. Otherwise it is that of the clearest thin stripes,
-  /// which is lower, and all widths may be too large by one factor.
+  /// Whether the contrast of white was measured on stripes that are wider than the image's blur. Otherwise it is that
+  /// of the clearest thin stripes, which is lower, and all widths may be too large by one factor.
   bool contrast_is_known = false;
 };
 

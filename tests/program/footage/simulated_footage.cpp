@@ -76,7 +76,8 @@ void write_offset_footage(const std::filesystem::path& folder, const OffsetFoota
   }
 }
 
-void write_simulated_footage(const std::filesystem::path& folder, int images, int width, double head_pitch) {
+void write_simulated_footage(const std::filesystem::path& folder, int images, int width, double head_pitch,
+                             double lens_blur) {
   constexpr int kFramesForAnImage = 6;  // of 30 a second
   std::filesystem::create_directories(folder / "images");
   std::ofstream table(folder / "frames.csv");
@@ -84,6 +85,7 @@ void write_simulated_footage(const std::filesystem::path& folder, int images, in
            "pitch_rad,camera_yaw_rad\n";
   RobotOptions options;
   options.width = width;
+  options.parameters.push_back({"sensor.blur_angle", fmt::format("{}", lens_blur), ParameterOrigin::file, "the test"});
   const RobotInstance robot = make_robot(kSimulator, options);
   robot.the_operator->put_down(Pose2(1.0, 0.5, 0.3));
   Observation observation;

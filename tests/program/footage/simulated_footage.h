@@ -24,8 +24,9 @@ struct OffsetFootageOptions {
 void write_offset_footage(const std::filesystem::path& folder, const OffsetFootageOptions& options);
 
 /// A robot that walks in a circle and looks around, for this number of images, five a second: images/NNNN.png and
-/// frames.csv in the folder, with the truth as pose. `width` of the images in pixels; `head_pitch` in rad, downwards.
-void write_simulated_footage(const std::filesystem::path& folder, int images, int width = 160,
-                             double head_pitch = -0.1);
+/// frames.csv in the folder, with the truth as pose. `width` of the images in pixels; `head_pitch` in rad, downwards;
+/// `lens_blur` in rad, its standard deviation.
+void write_simulated_footage(const std::filesystem::path& folder, int images, int width = 160, double head_pitch = -0.1,
+                             double lens_blur = 0.0);
 
 }  // namespace reorient
