@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRim = 0.03;  // of the image's width, along its edges: objects there do not count
+constexpr double kFoot = 0.05;  // m above the ground, of a post or a robot
+constexpr double kRim = 0.03;   // of the image's width, along its edges: objects there do not count
 
 struct Shot {
   const Simulator& simulator;
@@ -50,6 +51,8 @@ struct Shot {
     const auto seen = pixel(place, height);
     return seen && simulator.labels()[index_of(*seen)] == label;
   }
+  /// The same for a point on the ground and a line; m, field frame.
+  bool shows_line(const Vector2d& place) const { return shows(in_robot(place), 0.0, Label::line); }
 };
 
 /// Unit vectors along the arms of an intersection.
@@ -85,6 +88,108 @@ std::vector<Vector2d> line_places(const FieldDimensions& field) {
   return places;
 }
 
+std::vector<Thing> goal_posts_in_view(const Shot& shot, const FieldDimensions& field) {
+  constexpr double kPostHeight = 0.5;
+  std::vector<Thing> posts;
+  for (const Vector2d& post : goal_posts(field)) {
+    const Vector2d seen = shot.in_robot(post);
+    posts.push_back({seen, shot.shows(seen, kFoot, Label::goal) && shot.shows(seen, kPostHeight, Label::goal)});
+  }
+  return posts;
+}
+
+std::vector<Thing> robots_in_view(const Shot& shot) {
+  constexpr double kBeside = 0.35;  // m to the line of sight, within which a nearer robot hides another one
+  std::vector<Thing> robots;
+  for (const Player& player : shot.simulator.other_robots()) {
+    const Vector2d middle = shot.in_robot(player.pose.position);
+    const Vector2d front = middle - Players::kRadius * middle.normalized();
+    robots.push_back({front, shot.shows(middle, kFoot, Label::robot) && shot.is_in_front(middle, kFoot)});
+  }
+  for (Thing& one : robots) {
+    one.clearly = one.clearly && std::none_of(robots.begin(), robots.end(), [&](const Thing& other) {
+                    const double aside = std::abs(cross(one.position.normalized(), other.position));
+                    return other.position.norm() < one.position.norm() && one.position.dot(other.position) > 0.0 &&
+                           aside < kBeside;
+                  });
+  }
+  return robots;
+}
+
+/// Whether the image shows the middle of an intersection and the beginning of each arm.
+bool shows_intersection(const Shot& shot, const FieldDimensions& field, const FieldIntersection& one) {
+  constexpr double kArm = 0.3;  // m of each arm
+  if (!shot.shows_line(one.position)) return false;
+  const std::vector<Vector2d> arms = arms_of(one.kind, one.direction);
+  return std::all_of(arms.begin(), arms.end(), [&](const Vector2d& arm) {
+    const Vector2d end = one.position + kArm * arm;
+    const bool is_of_circle = one.kind == IntersectionKind::x && std::abs(arm.y()) < 0.5;
+    return shot.shows_line(is_of_circle ? Vector2d(field.center_circle_radius * end.normalized()) : end);
+  });
+}
+
+std::vector<IntersectionInView> intersections_in_view(const Shot& shot, const FieldDimensions& field) {
+  std::vector<IntersectionInView> intersections;
+  for (const FieldIntersection& one : field_intersections(field)) {
+    IntersectionInView intersection;
+    intersection.position = shot.in_robot(one.position);
+    intersection.kind = one.kind;
+    intersection.direction = normalize_angle(one.direction - shot.robot.rotation);
+    intersection.clearly = shows_intersection(shot, field, one);
+    intersections.push_back(intersection);
+  }
+  return intersections;
+}
+
+std::vector<Thing> corner_arcs_in_view(const Shot& shot, const FieldDimensions& field) {
+  constexpr int kPlaces = 5;
+  std::vector<Thing> arcs;
+  for (const CornerArc& arc : corner_arcs(field)) {
+    bool clearly = shows_intersection(shot, field, {arc.corner, IntersectionKind::l, arc.begin + from_degrees(45.0)});
+    for (int i = 0; i < kPlaces; ++i) {
+      const double along = from_degrees(22.5 + 45.0 * i / (kPlaces - 1));
+      clearly = clearly && shot.shows_line(arc.corner + field.corner_arc_radius * unit_vector(arc.begin + along));
+    }
+    arcs.push_back({shot.in_robot(arc.corner), clearly});
+  }
+  return arcs;
+}
+
+std::vector<Thing> penalty_marks_in_view(const Shot& shot, const FieldDimensions& field) {
+  constexpr int kPlaces = 8;  // around a mark
+  std::vector<Thing> marks;
+  for (const Vector2d& mark : penalty_marks(field)) {
+    const Vector2d seen = shot.in_robot(mark);
+    bool clearly = shot.shows(seen, 0.0, Label::line);
+    for (int i = 0; i < kPlaces; ++i) {
+      const Vector2d beside = seen + field.penalty_mark_size * unit_vector(2.0 * kPi * i / kPlaces);
+      clearly = clearly && shot.shows(beside, 0.0, Label::carpet);
+    }
+    marks.push_back({seen, clearly});
+  }
+  return marks;
+}
+
+std::optional<Thing> center_circle_in_view(const Shot& shot, const FieldDimensions& field) {
+  constexpr int kPlaces = 36;
+  if (!(field.center_circle_radius > 0.0)) return std::nullopt;
+  int clear = 0;
+  for (int i = 0; i < kPlaces; ++i)
+    clear += shot.shows_line(field.center_circle_radius * unit_vector(2.0 * kPi * i / kPlaces)) ? 1 : 0;
+  return Thing{shot.in_robot(Vector2d::Zero()), 3 * clear >= kPlaces};
+}
+
+Thing ball_in_view(const Shot& shot, const FieldDimensions& field) {
+  constexpr double kShown = 0.7;  // of its radius, to all sides
+  const Vector2d ball = shot.in_robot(shot.simulator.ball().position);
+  const double radius = 0.5 * field.ball_diameter;
+  const Vector2d aside = kShown * radius * Vector2d(-ball.y(), ball.x()).normalized();
+  const bool whole = shot.shows(ball + aside, radius, Label::ball) && shot.shows(ball - aside, radius, Label::ball) &&
+                     shot.shows(ball, (1.0 + kShown) * radius, Label::ball) &&
+                     shot.shows(ball, (1.0 - kShown) * radius, Label::ball);
+  return {ball, whole};
+}
+
 }  // namespace
 
 LineNearby nearest_line_of(const FieldDimensions& field, const Vector2d& place) {
@@ -109,90 +214,21 @@ LineNearby nearest_line_of(const FieldDimensions& field, const Vector2d& place) 
 }
 
 FieldInView field_in_view(const Simulator& simulator, const CameraFrame& frame, const FieldDimensions& field) {
-  constexpr double kArm = 0.3;  // m of each arm of an intersection that must be in view
-  constexpr double kPostHeight = 0.5;
-  constexpr double kFoot = 0.05;
-  constexpr double kBeside = 0.35;  // m to the line of sight, within which a nearer robot hides another one
-  constexpr int kCirclePlaces = 36, kMarkPlaces = 8, kArcPlaces = 5;
-  constexpr double kBallShown = 0.7;  // of its radius, to all sides
   const Pose2 robot = simulator.ground_truth().pose;
   const Shot shot{simulator, frame, simulator.field_from_camera().inverse() * to_isometry(robot), robot};
   FieldInView view;
   view.robot = robot;
   view.bottom_row = frame.image.height - 1;
   for (const Vector2d& place : line_places(field)) {
-    const Vector2d seen = shot.in_robot(place);
-    if (shot.shows(seen, 0.0, Label::line)) view.line_places.push_back({seen, true});
+    if (shot.shows_line(place)) view.line_places.push_back({shot.in_robot(place), true});
   }
-  for (const Vector2d& post : goal_posts(field)) {
-    const Vector2d seen = shot.in_robot(post);
-    view.goal_posts.push_back(
-        {seen, shot.shows(seen, kFoot, Label::goal) && shot.shows(seen, kPostHeight, Label::goal)});
-  }
-  for (const Player& player : simulator.other_robots()) {
-    const Vector2d middle = shot.in_robot(player.pose.position);
-    const Vector2d front = middle - Players::kRadius * middle.normalized();
-    view.robots.push_back({front, shot.shows(middle, kFoot, Label::robot) && shot.is_in_front(middle, kFoot)});
-  }
-  for (Thing& one : view.robots) {
-    one.clearly = one.clearly && std::none_of(view.robots.begin(), view.robots.end(), [&](const Thing& other) {
-                    const double aside = std::abs(cross(one.position.normalized(), other.position));
-                    return other.position.norm() < one.position.norm() && one.position.dot(other.position) > 0.0 &&
-                           aside < kBeside;
-                  });
-  }
-  for (const FieldIntersection& one : field_intersections(field)) {
-    IntersectionInView intersection;
-    intersection.position = shot.in_robot(one.position);
-    intersection.kind = one.kind;
-    intersection.direction = normalize_angle(one.direction - robot.rotation);
-    intersection.clearly = shot.shows(intersection.position, 0.0, Label::line);
-    for (const Vector2d& arm : arms_of(one.kind, one.direction)) {
-      Vector2d end = one.position + kArm * arm;
-      // Follows the circle instead of a straight line.
-      if (one.kind == IntersectionKind::x && std::abs(arm.y()) < 0.5)
-        end = field.center_circle_radius * end.normalized();
-      intersection.clearly = intersection.clearly && shot.shows(shot.in_robot(end), 0.0, Label::line);
-    }
-    view.intersections.push_back(intersection);
-  }
-  for (const CornerArc& arc : corner_arcs(field)) {
-    const auto shows_line = [&](const Vector2d& from_corner) {
-      return shot.shows(shot.in_robot(arc.corner + from_corner), 0.0, Label::line);
-    };
-    bool clearly = shows_line(Vector2d::Zero());
-    for (const double degrees : {0.0, 90.0})
-      clearly = clearly && shows_line(kArm * unit_vector(arc.begin + from_degrees(degrees)));
-    for (int i = 0; i < kArcPlaces; ++i) {
-      const double along = from_degrees(22.5 + 45.0 * i / (kArcPlaces - 1));
-      clearly = clearly && shows_line(field.corner_arc_radius * unit_vector(arc.begin + along));
-    }
-    view.corner_arcs.push_back({shot.in_robot(arc.corner), clearly});
-  }
-  for (const Vector2d& mark : penalty_marks(field)) {
-    const Vector2d seen = shot.in_robot(mark);
-    bool clearly = shot.shows(seen, 0.0, Label::line);
-    for (int i = 0; i < kMarkPlaces; ++i) {
-      const Vector2d beside = seen + field.penalty_mark_size * unit_vector(2.0 * kPi * i / kMarkPlaces);
-      clearly = clearly && shot.shows(beside, 0.0, Label::carpet);
-    }
-    view.penalty_marks.push_back({seen, clearly});
-  }
-  if (field.center_circle_radius > 0.0) {
-    int clear = 0;
-    for (int i = 0; i < kCirclePlaces; ++i) {
-      const Vector2d place = field.center_circle_radius * unit_vector(2.0 * kPi * i / kCirclePlaces);
-      clear += shot.shows(shot.in_robot(place), 0.0, Label::line) ? 1 : 0;
-    }
-    view.center_circle = Thing{shot.in_robot(Vector2d::Zero()), 3 * clear >= kCirclePlaces};
-  }
-  const Vector2d ball = shot.in_robot(simulator.ball().position);
-  const double radius = 0.5 * field.ball_diameter;
-  const Vector2d aside = kBallShown * radius * Vector2d(-ball.y(), ball.x()).normalized();
-  const bool whole = shot.shows(ball + aside, radius, Label::ball) && shot.shows(ball - aside, radius, Label::ball) &&
-                     shot.shows(ball, (1.0 + kBallShown) * radius, Label::ball) &&
-                     shot.shows(ball, (1.0 - kBallShown) * radius, Label::ball);
-  view.ball = Thing{ball, whole};
+  view.goal_posts = goal_posts_in_view(shot, field);
+  view.robots = robots_in_view(shot);
+  view.intersections = intersections_in_view(shot, field);
+  view.corner_arcs = corner_arcs_in_view(shot, field);
+  view.penalty_marks = penalty_marks_in_view(shot, field);
+  view.center_circle = center_circle_in_view(shot, field);
+  view.ball = ball_in_view(shot, field);
   return view;
 }
 

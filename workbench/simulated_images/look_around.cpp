@@ -30,9 +30,6 @@ PerceptScore look_around(Simulator& simulator, FieldFeatures& features, const Fi
   Random random(look.seed, 0x6C6F6F6B);                                // "look"
   const Eigen::Vector2d lines = field_half_size(field);
   const Eigen::Vector2d inside = lines - Eigen::Vector2d(0.3, 0.2);
-  const std::array<double, kPerceptKinds.size()> farthest{
-      parameters.line_range, parameters.post_range, parameters.line_range, parameters.line_range,
-      parameters.line_range, parameters.line_range, parameters.line_range, parameters.obstacle_range};
   Observation observation;
   FieldPercept percept;
   PerceptScore score;
@@ -48,7 +45,7 @@ PerceptScore look_around(Simulator& simulator, FieldFeatures& features, const Fi
         to_isometry(simulator.ground_truth().pose).inverse() * simulator.field_from_camera();
     if (!counts) return;
     features.find(frame.image, frame.camera, robot_from_camera, percept);
-    score = score + score_of(percept, field_in_view(simulator, frame, field), field, farthest);
+    score = score + score_of(percept, field_in_view(simulator, frame, field), field, parameters);
   };
   for (int place = 0; place < look.places; ++place) {
     const Eigen::Vector2d where = somewhere(inside, random);

@@ -26,6 +26,12 @@ struct Tolerance {
 constexpr Tolerance kLine{0.05, 0.03}, kPost{0.05, 0.15}, kLandmark{0.1, 0.1}, kRobot{0.3, 0.1};
 constexpr double kLineFound = 0.25;  // m from a place on a line to the next line point
 
+/// m
+double range_of(PerceptKind kind, const FieldFeatureParameters& parameters) {
+  if (kind == PerceptKind::goal_posts) return parameters.post_range;
+  return kind == PerceptKind::obstacles ? parameters.obstacle_range : parameters.line_range;
+}
+
 struct Counter {
   PerceptScore& score;
   PerceptKind kind;
@@ -191,10 +197,10 @@ PerceptCounts PerceptScore::between(PerceptKind kind, double least, double most)
 }
 
 PerceptScore score_of(const FieldPercept& percept, const FieldInView& view, const FieldDimensions& field,
-                      const std::array<double, kPerceptKinds.size()>& farthest) {
+                      const FieldFeatureParameters& parameters) {
   PerceptScore score;
   score.images = 1;
-  const auto counter = [&](PerceptKind kind) { return Counter{score, kind, farthest[static_cast<std::size_t>(kind)]}; };
+  const auto counter = [&](PerceptKind kind) { return Counter{score, kind, range_of(kind, parameters)}; };
   const auto any = [](const auto&, const auto&) { return true; };
   count_lines(counter(PerceptKind::line_points), percept, view, field);
   count(counter(PerceptKind::goal_posts), percept.goal_posts, view.goal_posts, kPost, any);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "perception/field/field_feature_parameters.h"
 #include "perception/field/percepts.h"
 #include "workbench/simulated_images/in_view.h"
 
@@ -53,8 +54,8 @@ struct PerceptScore {
 };
 PerceptScore operator+(const PerceptScore& a, const PerceptScore& b);
 
-/// `farthest`: m, range of the vision; objects beyond it do not count.
+/// Objects beyond the ranges of the vision do not count.
 PerceptScore score_of(const FieldPercept& percept, const FieldInView& view, const FieldDimensions& field,
-                      const std::array<double, kPerceptKinds.size()>& farthest);
+                      const FieldFeatureParameters& parameters);
 
 }  // namespace reorient
