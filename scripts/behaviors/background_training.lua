@@ -26,17 +26,23 @@ local p = param {
 
 -- After a lift during learning, the initial pose is not reliable any more. A robot that has never seen lines where its pose
 -- expects them, for example in a room without a field, trusts the pose that was set.
-local memory = keep { has_begun = false, was_lifted = false, was_tracked = false }
+local memory = keep { has_begun = false, was_lifted = false, was_tracked = false, knew_the_room = false }
 
 local function stands_on_the_field() return robot.time_since_disturbance > p.undisturbed_time end
 
-local function knows_the_room()
+local function has_learned_enough()
   if training.seconds >= p.max_time then return true end
   local enough = training.seconds >= p.patience and p.least_paired or p.paired
   return training.seconds >= p.min_time and confidence.paired >= enough and confidence.separability >= p.separability
 end
 
-local function is_known_no_more() return training.seconds < p.min_time and not knows_the_room() end
+local function is_known_no_more() return training.seconds < p.min_time and not has_learned_enough() end
+
+-- A room stays known if its separability falls later, because the pose after a disturbance may be mirrored and must not be
+-- learned with. For the same reason a lifted robot uses what it has learned.
+local function knows_the_room()
+  return has_learned_enough() or (memory.knew_the_room or memory.was_lifted) and training.seconds >= p.min_time
+end
 
 local function is_lost() return memory.was_tracked and not pose.tracked end
 
@@ -72,6 +78,7 @@ behavior "background_training" {
 
   state "waiting" {
     enter = function()
+      memory.knew_the_room = memory.knew_the_room and not is_known_no_more()
       command.pause_training()
       command.pause_evaluation()
     end,
@@ -88,7 +95,7 @@ behavior "background_training" {
       command.pause_evaluation()
     end,
     update = function() memory.was_tracked = memory.was_tracked or pose.tracked end,
-    { "trusting", when = knows_the_room, because = "enough of the room was learned" },
+    { "trusting", when = has_learned_enough, because = "enough of the room was learned" },
 
     state "studying" {
       { "doubting", when = is_lost, because = "what the robot sees no longer fits its pose" },
@@ -111,7 +118,7 @@ behavior "background_training" {
 
   state "trusting" {
     initial = "watching",
-    enter = function() memory.has_begun = true end,
+    enter = function() memory.has_begun, memory.knew_the_room = true, true end,
     { "waiting", when = is_known_no_more, because = "the model was discarded: parameters of the wall or the colors have changed" },
 
     state "watching" {

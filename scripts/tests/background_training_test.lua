@@ -212,6 +212,28 @@ for what, change in pairs(DISTURBANCES) do
     expect.no_lease("pause_training")
   end)
 
+  test("a known room that seems symmetric now is still known after the robot was " .. what, function()
+    learned()
+    set_world { training = { seconds = 12 }, confidence = { separability = 0.5 }, robot = change[1] }
+    advance(1)
+    set_world { robot = change[2] }
+    advance(1)
+    expect.state("background_training", "trusting/watching")
+    expect.no_lease("pause_evaluation")
+  end)
+
+  test("a room whose model was discarded while the robot was " .. what .. " is not known", function()
+    learned()
+    set_world { training = { seconds = 0 }, confidence = { paired = 0 }, robot = change[1] }
+    advance(1)
+    set_world { robot = change[2] }
+    advance(1)
+    expect.state("background_training", what == "lifted" and "waiting" or "learning/studying")
+    set_world { training = { seconds = 9 }, confidence = { paired = 0.5, separability = 0.5 } }
+    advance(1)
+    expect.state("background_training", what == "lifted" and "waiting" or "learning/studying")
+  end)
+
   test("the time restarts when the robot is " .. what .. " again", function()
     learned()
     set_world { robot = { posture = "lifted" } }
@@ -314,6 +336,20 @@ test("a robot that was lifted before it had learned the room does not learn from
   advance(5)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
+end)
+
+test("a robot that was lifted while it learned uses what it has learned", function()
+  start()
+  set_world { training = { seconds = 11 }, confidence = { paired = 0.3, separability = 0.5 } }
+  advance(0.1)
+  expect.state("background_training", "learning/studying")
+  set_world { robot = { posture = "lifted" } }
+  advance(1)
+  set_world { robot = { posture = "upright" } }
+  advance(1)
+  expect.state("background_training", "trusting/watching")
+  expect.lease("pause_training")
+  expect.no_lease("pause_evaluation")
 end)
 
 test("a robot that was lifted before any training does not purge, because its pose is not reliable", function()
