@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -122,19 +124,27 @@ class TestViewer {
     return found ? found->json() : nlohmann::json();
   }
   /// The response of a service, or its failure.
-  nlohmann::json await_response(std::uint32_t call) {
+  nlohmann::json await_response(std::uint32_t call) { return await_responses({call})[call]; }
+  /// The same for calls that may be answered in any order.
+  std::map<std::uint32_t, nlohmann::json> await_responses(std::set<std::uint32_t> calls) {
     constexpr std::size_t kHead = 17;
-    const auto found = await([&](const Received& one) {
-      if (one.opcode == kTextFrame)
-        return one.json().value("op", "") == "serviceCallFailure" && one.json().value("callId", 0u) == call;
-      std::uint32_t number = 0;
-      if (one.data.size() < kHead || one.data[0] != 3) return false;
-      std::memcpy(&number, one.data.data() + 5, sizeof number);
-      return number == call;
+    std::map<std::uint32_t, nlohmann::json> responses;
+    await([&](const Received& one) {
+      nlohmann::json response;
+      std::uint32_t call = 0;
+      if (one.opcode == kTextFrame) {
+        response = one.json();
+        if (response.value("op", "") != "serviceCallFailure") return false;
+        call = response.value("callId", 0u);
+      } else {
+        if (one.data.size() < kHead || one.data[0] != 3) return false;
+        std::memcpy(&call, one.data.data() + 5, sizeof call);
+        response = nlohmann::json::parse(one.data.substr(kHead), nullptr, false);
+      }
+      if (calls.erase(call) > 0) responses[call] = std::move(response);
+      return calls.empty();
     });
-    if (!found) return {};
-    return found->opcode == kTextFrame ? found->json()
-                                       : nlohmann::json::parse(found->data.substr(kHead), nullptr, false);
+    return responses;
   }
   /// Reads until the server ends the connection. Returns the reason of its close frame.
   std::string await_close() {
