@@ -19,6 +19,12 @@ local function expect_pause()
   expect.lease("pause_evaluation")
 end
 
+local function lift_and_put_down()
+  set_world { robot = { posture = "lifted" } }
+  advance(1)
+  set_world { robot = { posture = "upright" } }
+end
+
 local function learned()
   start()
   set_world { training = { seconds = 30 }, confidence = { coverage = 0.9, paired = 0.5, distinctiveness = 0.3 } }
@@ -236,9 +242,7 @@ for what, change in pairs(DISTURBANCES) do
 
   test("the time restarts when the robot is " .. what .. " again", function()
     learned()
-    set_world { robot = { posture = "lifted" } }
-    advance(1)
-    set_world { robot = { posture = "upright" } }
+    lift_and_put_down()
     advance(0.3)
     set_world { robot = change[1] }
     advance(0.1)
@@ -275,9 +279,7 @@ end)
 test("the time for which the robot must stand can be set", function()
   set_param("background_training.undisturbed_time", "2.0")
   learned()
-  set_world { robot = { posture = "lifted" } }
-  advance(1)
-  set_world { robot = { posture = "upright" } }
+  lift_and_put_down()
   advance(1.9)
   expect_pause()
   advance(0.2)
@@ -314,9 +316,8 @@ end)
 
 test("after it was placed it does not train while the confidences are not usable yet", function()
   learned()
-  set_world { robot = { posture = "lifted" } }
-  advance(1)
-  set_world { robot = { posture = "upright" }, confidence = { evidence = -9, status = "fresh" } }
+  lift_and_put_down()
+  set_world { confidence = { evidence = -9, status = "fresh" } }
   advance(9)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
@@ -330,9 +331,7 @@ end)
 test("a robot that was lifted before it had learned the room does not learn from an unreliable pose", function()
   start()
   set_world { training = { seconds = 5 } }
-  set_world { robot = { posture = "lifted" } }
-  advance(1)
-  set_world { robot = { posture = "upright" } }
+  lift_and_put_down()
   advance(5)
   expect.state("background_training", "waiting")
   expect.lease("pause_training")
@@ -343,9 +342,7 @@ test("a robot that was lifted while it learned uses what it has learned", functi
   set_world { training = { seconds = 11 }, confidence = { paired = 0.3, separability = 0.5 } }
   advance(0.1)
   expect.state("background_training", "learning/studying")
-  set_world { robot = { posture = "lifted" } }
-  advance(1)
-  set_world { robot = { posture = "upright" } }
+  lift_and_put_down()
   advance(1)
   expect.state("background_training", "trusting/watching")
   expect.lease("pause_training")
@@ -355,9 +352,8 @@ end)
 test("a robot that was lifted before any training does not purge, because its pose is not reliable", function()
   start()
   advance(1)
-  set_world { robot = { posture = "lifted" } }
-  advance(1)
-  set_world { robot = { posture = "upright" }, pose = { reflected_weight = 0.5 } }
+  lift_and_put_down()
+  set_world { pose = { reflected_weight = 0.5 } }
   advance(5)
   expect.state("background_training", "waiting")
   expect.no_command()

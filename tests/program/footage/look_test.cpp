@@ -92,6 +92,8 @@ struct FoundPitches {
 
 FoundPitches found_pitches(const nlohmann::json& images, const std::vector<FrameRow>& rows) {
   FoundPitches found;
+  EXPECT_EQ(images.size(), rows.size());
+  if (images.size() != rows.size()) return found;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const auto& pitch = images[i]["pitch"];
     EXPECT_EQ(pitch["source"], "searched");
@@ -108,7 +110,6 @@ TEST_F(Look, FindsThePitchOfImagesThatShowLines) {
   const WalkImages walk = walk_images(folder_.path() / "walk", 24, 640, 0.25);
   const ProgramRun run = look(walk.files);
   ASSERT_EQ(run.code, 0) << run.err;
-  ASSERT_EQ(seen().size(), walk.rows.size());
   const FoundPitches found = found_pitches(seen(), walk.rows);
   EXPECT_GE(found.known, 18) << run.out;
   EXPECT_GE(10 * found.right, 9 * found.known) << run.out;
